@@ -6,7 +6,7 @@ from robolayout.assets import CATALOGUE
 from robolayout.words import _function_words as small
 from robolayout.words._chunk import Chunk
 from robolayout.words._led_to import LedTo
-from robolayout.words._said import Mention, Thing, same, several, topped
+from robolayout.words._said import Mention, Thing, laid, same, several, topped
 from robolayout.words._ways import SEATS, TOPS
 
 
@@ -28,13 +28,17 @@ class About(LedTo):
         place = self._ahead().kind == "part"
         if self.target is not None and place and last and relation not in ("on", "facing"):
             told = told or (_on_tops(last[0]) and not _on_tops(self.target))  # "a laptop on the desk under the window"
+        to = self._ahead().noun
+        if self.target is not None and to is not None and last and relation in small.STANDING:
+            held = topped(last[0]) and not topped(self.target) and not CATALOGUE[to.kind].on_object
+            told = told or held  # "bottles on the shelves behind the counter"
         if self.target is not None and told and self.acted:
             return [self.target]
         if self.target is not None and self.said.links and self.said.links[-1].relation == "in" and place:
             return [self.target]  # "toys in a box under the window"
         if relation in small.ORDERS and last and last[0].thing.count == 1:
             return list(self.group or self.subject)  # "fridge, stove and sink in a row"
-        if relation == "on" and last and topped(last[0]) and len(self.group) > 1:
+        if relation == "on" and last and laid(last[0]) and len(self.group) > 1:
             it = self._ahead().kind == "pron"
             linked = {m for link in self.said.links if not it or link.relation != "with" for m in link.subjects}
             linked -= {last[0]}

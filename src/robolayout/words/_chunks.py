@@ -198,6 +198,8 @@ class Chunker(ClosedWords):
             each = count_of((*rest[2:], "")[0])
             rows = (each or SOME) if rest[0].startswith("column") else count
             return ("", count * each if each else None, "", rows, 4 if each else 3)
+        if count and rest[0].removesuffix("s") in small.SETS and (each := count_of((*rest[2:], "")[0])):
+            return ("", count * each, "", 0, 4)  # "six groups of four desks"
         if word in ("each", "every") and rest[0] in ("one", "of"):
             return ("each", None, "", 0, 3 if rest[0] == "one" else 2)
         if rest[0] != "of":
@@ -255,8 +257,9 @@ class Chunker(ClosedWords):
         ends = self._word(i + 1) in ("", *MARKS, *small.JOINING)
         if word == "stands" and not run and self.words[i - 1] == "on" and ends:
             return False  # "guitars on stands"
-        if word == "stand" and run and self._word(i - len(run) - 1) in ("a", "an"):
-            return self._word(i - len(run) - 2) in small.JOINING  # "on a keyboard stand"
+        article, before = (self._word(i - len(run) - back) for back in (1, 2))
+        if word == "stand" and run and article in ("a", "an") and before not in small.JOINING:
+            return False  # "on a keyboard stand"
         if self.lexicon.noun(self.words[i : i + 2]) is not None and self._continues(i):
             return False
         known = bool(run) and self.lexicon.noun([run[-1], word]) is not None
@@ -298,12 +301,16 @@ class Chunker(ClosedWords):
                     return Chunk(kind, at, i + end, value, noun, det, number, bound, plural, adjectives, rows=rows)
             if end == len(run) and whole and (room := self.lexicon.room_like(run)):
                 return Chunk("room", at, i + end, room, None, det, number, bound)
-            if end == len(run) and whole and (part := self.lexicon.part_like(run)):  # "in the cornor"
+            if end == len(run) and whole and (part := self._place_like(det, run)):
                 return Chunk("part", at, i + end, part, None, det, number, bound, adjectives=tuple(run[:-1]))
             if end == len(run) and whole and self._promises(run):
                 noun = self.lexicon.guess(run)
                 return Chunk("thing", at, i + end, "", noun, det, number, bound, _plural(run[-1], noun), (), rows=rows)
         return None
+
+    def _place_like(self, det: str, run: list[str]) -> str | None:
+        """Return the place of the room that words name: "the basement", "the cornor"."""
+        return "room" if det == "the" and run[-1] in self.grammar.places else self.lexicon.part_like(run)
 
     def _owned(self, at: int, i: int, run: list[str], before: Before) -> Chunk | None:
         """Return a thing whose side is named: "the sofa's left side", "the table's centre"."""

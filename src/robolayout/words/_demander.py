@@ -361,6 +361,9 @@ class Demander(AtPlaces):
         for a in subjects if len(ends) > 1 else ():
             wide = self.told.abreast.get(self._others(objects)[0], 0) if place is None else 0
             across = ends[wide // 2 :: wide] if wide and len(ends) > 2 else ends  # between two rows
+            groups = [self._named(item) for item in objects if isinstance(item, Mention)]
+            if not wide and len(groups) == 2 and len(ends) > 2:  # "between the sinks and the shower"
+                across = [AssetRef(groups[0][-1]), AssetRef(groups[1][0])]
             pairs = [(across[0], across[1])] if len(across) == 2 else neighbours(ends, len(subjects))
             one, two = pairs[subjects.index(a) % len(pairs)]
             near = tuple(stated("near", AssetRef(a), end, self._within(a, end)) for end in (one, two))
@@ -371,8 +374,6 @@ class Demander(AtPlaces):
         if isinstance(end, AssetRef) and end.name not in self.told.abreast:
             return ways_of.BESIDE if self._asset(end.name).size[1] < self._asset(a).size[1] else ways_of.AHEAD
         return ways_of.AHEAD
-
-    # what stands at a place of the room
 
     def _corner(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
         yield from self._at_place(subjects, Place("corner"))

@@ -65,7 +65,7 @@ def _settle_high_stool(link: Link) -> None:
 
 def _settle_screen(link: Link) -> None:
     """Take a screen that seats stand before for one that is looked at."""
-    sat = any(mention.thing.noun.kind.split()[-1] in SEATS for mention in link.subjects)
+    sat = any(mention.thing.noun.kind.split()[-1] in (*SEATS, "projector") for mention in link.subjects)
     for item in link.objects if sat and link.relation in ("front", "facing", "opposite", "around") else ():
         if isinstance(item, Mention) and item.thing.noun.said == "screen":
             item.thing.noun = replace(item.thing.noun, words=LOOKED_AT, kind=LOOKED_AT, others=())

@@ -9,7 +9,7 @@ from itertools import takewhile
 from robolayout.words import _function_words as small
 from robolayout.words._chunk import Chunk
 from robolayout.words._references import References
-from robolayout.words._said import Mention, Place, place_of, several, topped
+from robolayout.words._said import Mention, Place, laid, place_of, several
 from robolayout.words._ways import OTHER_SIDE
 
 CORNERS, WALLS = ("near", "far"), ("facing", "behind", "by", "with")
@@ -38,7 +38,7 @@ class LedTo(References):
             both = both or (isinstance(item, Mention) and item.det == "both")
             if not (wants or (both and self._plain_pair(found, chunk))):
                 break
-            self.at += 1
+            self.at = min(self.at + 1, len(self.chunks))
         if found and isinstance(found[-1], Place) and found[-1].name in ("wall", "corner"):
             found[-1] = self._which_wall(found[-1])
         self.target = found[-1] if found and isinstance(found[-1], Mention) else None
@@ -105,8 +105,8 @@ class LedTo(References):
 
     def _standing(self, meant: list[Mention], chunk: Chunk) -> list[Mention]:
         """Return what bears a small thing where furniture is said to stand beside it: "a globe is on the desk and a bin beside it"."""
-        stands = self.about and not any("object" in mention.thing.places for mention in self.about)
-        if len(meant) != 1 or not (stands and topped(meant[0]) and chunk.value in small.STANDING):
+        stands = chunk.value == "behind" or not any("object" in mention.thing.places for mention in self.about)
+        if len(meant) != 1 or not (laid(meant[0]) and stands and chunk.value in small.STANDING):
             return meant
         on = [
             k.objects for k in self.said.links if k.relation == "on" and meant[0].thing in {m.thing for m in k.subjects}
@@ -186,8 +186,11 @@ class LedTo(References):
         if chunk.value == "opposite" and "other" in chunk.adjectives:  # "on the other side of the bed"
             to = {item.thing for item in objects if isinstance(item, Mention)}
             said = [k for k in self.said.links if to & {m.thing for m in k.objects if isinstance(m, Mention)}]
-            sides = [k.relation for k in said if k.relation in ("left", "right")]
-            return (replace(chunk, value=OTHER_SIDE[sides[-1]]) if sides else chunk), objects
+            sides = [k for k in said if k.relation in OTHER_SIDE][-1:]
+            there = [m for k in sides if OTHER_SIDE[k.relation] == "otherside" for m in k.subjects]
+            return (replace(chunk, value=OTHER_SIDE[sides[0].relation]) if sides else chunk), [*objects, *there]
+        if place is not None and place.name == "room" and chunk.value in ("amid", "separates") and not objects[1:]:
+            return replace(chunk, value="middle"), objects  # "a screen dividing the room"
         if place is not None and place.name == "room" and chunk.value in ("oneside", "end"):
             one = "one" in chunk.adjectives  # "at one end of the room"
             return replace(chunk, value="on"), [Place("side", () if one else ("far",), det="one" if one else "")]

@@ -65,7 +65,7 @@ class Parser(Relating):
         self.refusing = False
         self.verb = self.relative = False
         self.broken = self.listed = True
-        self.having = self.having and not self.acted
+        self.having = self.having and not self.acted and self._previous(chunk) != "each"
 
     def _on_and(self, chunk: Chunk) -> None:
         self.refusing = self.refusing and chunk.value in ("or", "nor")
@@ -192,7 +192,6 @@ class Parser(Relating):
             self._each_has(self.holder, sum(m.thing.count for m in whose))
         elif chunk.value == "each" and self.group and self.holder and self.group[-1].thing is not self.holder[0].thing:
             self.group[-1].thing.times = self.holder[0].thing.count
-            self.having = False
 
     def _on_thing(self, chunk: Chunk) -> None:
         chunk = self._none_of(chunk)
@@ -276,15 +275,17 @@ class Parser(Relating):
         several = chunk.plural or (noun is not None and noun.words.endswith("s"))
         alone = not chunk.det and chunk.number is None
         bare = several and alone
-        held = [] if before != "of" or not alone or not self.group else self.group[-1:]
+        held = self.group[-1:] if alone and self._ahead(-3).kind == "thing" else []
+        alike = bool(held) and noun is not None and noun.kind == held[0].thing.noun.kind
         if noun is not None and self.refusing and not (self.negated and chunk.det == "the"):
             self.said.refused.append((noun, (chunk.start, chunk.end)))
         elif noun is not None and noun.kind in AIDS and before in ("use", "uses", "using", "for"):
             self._fact(Chunk("body", chunk.start, chunk.end, AIDS[noun.kind]))
-        elif held and self.chunks[self.at - 3].kind == "thing":  # "a rack of dumbbells"
-            if not several or (noun is not None and noun.kind == held[0].thing.noun.kind):
-                self._fact(replace(chunk, kind="function"))  # "a bottle of detergent", "a vase of flowers"
-                return True
+        elif held and (
+            (before == "of" and not several) or (alike and (before == "of" or self._ahead(-2).kind == "with"))
+        ):
+            self._fact(replace(chunk, kind="function"))  # "a bottle of detergent", "a vase with flowers"
+        elif held and before == "of":  # "a rack of dumbbells"
             mention = self._mention(chunk)
             if CATALOGUE[mention.thing.noun.kind].on_object and not CATALOGUE[held[0].thing.noun.kind].on_object:
                 self.said.links.append(Link("on", (mention,), tuple(held), chunk.start, chunk.end))

@@ -33,7 +33,14 @@ class References(Spoken):
         number = 1 if chunk.number is None and chunk.det in ("a", "new", "one") and not chunk.plural else chunk.number
         if chunk.det == "both" and number is None:
             number = 2
-        if number is None and chunk.plural and self._joined() and not target and self._ahead().kind != "rel":
+        if (
+            number is None
+            and chunk.plural
+            and not chunk.det
+            and self._joined()
+            and not target
+            and self._ahead().kind != "rel"
+        ):
             before = self.group[-1].thing.number
             number = before if before and before > 1 else None
         if number is None and chunk.plural and chunk.noun.kind in ONE_EACH and not self.said.things:
@@ -83,12 +90,26 @@ class References(Spoken):
         if chunk.det == "one" or (chunk.number == 1 and not chunk.det and not target):
             return slice(first, first + many) if first + many <= count else slice(0, many)
         places = {
-            **dict.fromkeys(("left", "first", "lower", "bottom", "leftmost", "lowest", "bottommost"), 0),
+            **dict.fromkeys(
+                (
+                    "left",
+                    "first",
+                    "lower",
+                    "bottom",
+                    "leftmost",
+                    "lowest",
+                    "bottommost",
+                    "largest",
+                    "biggest",
+                    "tallest",
+                ),
+                0,
+            ),
             "second": 1,
             "third": 2,
             "middle": count // 2,
             **dict.fromkeys(
-                ("right", "last", "upper", "top", "rightmost", "highest", "topmost", "uppermost"), count - 1
+                ("right", "last", "upper", "top", "rightmost", "highest", "topmost", "uppermost", "smallest"), count - 1
             ),
         }
         told = [places[word] for word in (chunk.det, *chunk.adjectives) if word in places]
@@ -183,6 +204,20 @@ class References(Spoken):
         several = all(mention.at_a_table and (mention.thing.number or 0) > 2 for mention in subjects)
         return replace(chunk, value="around") if several else chunk
 
+    def _at_middle(
+        self, chunk: Chunk, subjects: Sequence[Mention], objects: Sequence[Mention | Place]
+    ) -> Sequence[Mention | Place]:
+        """Return the middle of a wall where "in the middle" was said right before: "a bed in the centre against the wall"."""
+        last, to = self.said.links[-1] if self.said.links else None, objects[0] if objects else None
+        if chunk.value != "wall" or last is None or not isinstance(to, Place) or to.name != "wall":
+            return objects
+        middle = [c.value for c in self.chunks if c.end == chunk.start] == ["middle"]
+        if not middle or last.subjects != tuple(subjects) or any(isinstance(item, Mention) for item in last.objects):
+            return objects
+        self.said.links.pop()
+        self.said.read.update(range(last.start, last.end))
+        return [replace(to, words=(*to.words, "middle"))]
+
     def _gap_told(self, end: int, about: tuple[tuple[Mention, ...], tuple[Mention | Place, ...]]) -> list[Link]:
         """Return what a measure right before a relation says of it: "40 cm in front of the sofa"."""
         gap, self.gap = self.gap, None
@@ -237,7 +272,7 @@ class References(Spoken):
             chunk = self._on_both_sides(chunk, subjects, objects)
         if chunk.value in ("left", "right") and led and isinstance(led[0], Place) and led[0].name == "side":
             chunk = replace(chunk, value="in")  # a half of the room
-        objects = led
+        objects = self._at_middle(chunk, subjects, led)
         if objects:  # "a bed with a lamp on either side": the lamps are not on the bed
             own, to = {m.thing for m in subjects}, {m.thing for m in objects if isinstance(m, Mention)}
             elsewhere = chunk.value in ("on", "flank")

@@ -6,7 +6,7 @@ import math
 import re
 from collections.abc import Sequence
 from dataclasses import replace
-from itertools import takewhile
+from itertools import pairwise, takewhile
 
 from robolayout.assets import CATALOGUE
 from robolayout.words import _function_words as small
@@ -244,6 +244,9 @@ class Relating(About):
         if chunk.value == "middle" and not objects and held and topped(self.holder[0]):
             on = [list(k.objects) for k in self.said.links if k.relation == "on" and self.holder[0] in k.subjects]
             return subjects, on[-1] if on else objects  # "plates on the table, with a candle in the middle"
+        led = [before.kind for before, c in pairwise(self.chunks[: self.at]) if c.kind == "with"][-1:]
+        if chunk.value == "middle" and not objects and held and led == ["comma"] and topped(self.group[-1]):
+            return subjects, list(self.holder)  # "a table by the wall, with a bowl in the middle"
         place = isinstance(objects[0], Place) if objects else chunk.value == "middle"
         laid = chunk.value in small.LAID and held and topped(self.group[-1]) and not topped(self.holder[0])
         laid = laid and (chunk.value != "above" or len(objects) > 1)  # "a shelf with bottles above them"
@@ -257,8 +260,9 @@ class Relating(About):
         low = held and not topped(self.group[-1]) and not CATALOGUE[self.holder[0].thing.noun.kind].on_floor
         sat = held and sat_on(self.group[-1]) and self.holder[0].thing.noun.kind.split()[-1] in TOPS
         to_it = {m.thing for m in self.holder or []} & {m.thing for m in objects if isinstance(m, Mention)}
-        laid = laid or (sat and chunk.value in small.STANDING and bool(objects) and not to_it)
-        swapped = (place or laid) and held and not (hung or low) and subjects == self.group[-1:]
+        hangs = held and chunk.value == "above" and not {"floor", "object"} & {*self.holder[0].thing.places}
+        laid = laid or bool(((sat and chunk.value in small.STANDING) or hangs) and objects and not to_it)
+        swapped = (place or laid) and held and not (hung or (low and not hangs)) and subjects == self.group[-1:]
         return (self.holder if swapped else subjects), objects
 
     def _refused(self, chunk: Chunk, subjects: Sequence[Mention], objects: Sequence[Mention | Place]) -> None:
@@ -402,7 +406,7 @@ class Relating(About):
         """Return whether a relation only says that a thing is in the room."""
         place = objects[0]
         there = isinstance(place, Place) and place.name in ("room", "floor")
-        return there and chunk.value in ("in", "on", "by", "around")
+        return there and chunk.value in ("in", "on", "by", "around", "flank")
 
     def _reversed(self, chunk: Chunk, subjects: list[Mention], objects: Sequence[Mention | Place]) -> None:
         """Link what is said from the other side: "flanked by two lamps"."""

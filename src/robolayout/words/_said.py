@@ -172,6 +172,11 @@ def same_words(thing: Thing, chunk: Chunk) -> bool:
     return chunk.noun is not None and thing.noun.said == chunk.noun.said
 
 
+def laid(mention: Mention) -> bool:
+    """Return whether a thing can stand on another and not on the floor."""
+    return "object" in mention.thing.places and "floor" not in mention.thing.places
+
+
 def topped(mention: Mention) -> bool:
     """Return whether a thing can stand nowhere but on another."""
     return mention.thing.places == ("object",)

@@ -100,6 +100,10 @@ class Spoken:
         named last before; what the last relation led to, where that is one and the other is several; the subject before.
         """
         own = {m.thing for m in self.about}
+        bearers = [k.objects for k in self.said.links if k.relation == "on" and own & {m.thing for m in k.subjects}]
+        own |= {
+            to.thing for led in bearers for to in led if isinstance(to, Mention)
+        }  # "a camera on a tripod before it"
         if word.startswith("the row"):
             rows = next((list(k.subjects) for k in reversed(self.said.links) if k.relation in small.ORDERS), [])
             others = [m for m in self.recent if several(m) and m.thing not in own | {row.thing for row in rows}]
@@ -141,7 +145,8 @@ class Spoken:
         """Return what was named last in this sentence, by itself or as what a relation led to, else in the one before."""
         if relation in small.ROUND_IT:  # "a lamp over a table, and chairs around it"
             off = {"wall", "ceiling", *(("object",) if relation == "around" else ())}
-            earlier, to = ([m for m in given if {*m.thing.places} - off] for given in (earlier, to))
+            there = [[m for m in given if {*m.thing.places} - off] for given in (earlier, to)]
+            earlier, to = there if any(m.thing.count == 1 for given in there for m in given) else (earlier, to)
         single, led = ([m for m in given if m.thing.count == 1] for given in (earlier, to))
         if word == "it" and earlier and earlier[-1].thing.count > 1:
             earlier = led or single or earlier
