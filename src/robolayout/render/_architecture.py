@@ -45,15 +45,9 @@ def draw_walls(sheet: Drawing, room: Room, place: Place) -> None:
 def _gap(room: Room, opening: Opening) -> shapely.Polygon:
     """Return the hole that an opening leaves in its wall."""
     wall = room.walls[opening.wall]
-    start, end = opening.offset, opening.offset + opening.width
-    return shapely.Polygon(
-        [
-            wall.point(start, 0.01),
-            wall.point(end, 0.01),
-            wall.point(end, -2 * PLAN.wall),
-            wall.point(start, -2 * PLAN.wall),
-        ]
-    )
+    start, end, outer = opening.offset, opening.offset + opening.width, -2 * PLAN.wall
+    corners = ((start, 0.01), (end, 0.01), (end, outer), (start, outer))
+    return shapely.Polygon([wall.point(along, depth) for along, depth in corners])
 
 
 def _draw_window(sheet: Drawing, room: Room, window: Opening, place: Place) -> None:
@@ -72,9 +66,8 @@ def _draw_door(sheet: Drawing, room: Room, door: Opening, place: Place) -> None:
     wall = room.walls[door.wall]
     start, end = door.offset, door.offset + door.width
     for depth in (0.0, -PLAN.wall):
-        sheet.line(
-            [place(*wall.point(start, depth)), place(*wall.point(end, depth))], QUIET, width=0.1, dash=(0.6, 0.5)
-        )
+        edge = [place(*wall.point(along, depth)) for along in (start, end)]
+        sheet.line(edge, QUIET, width=0.1, dash=(0.6, 0.5))
     for hinge, sign, radius in _leaves(room, door):
         sheet.line([place(*p) for p in _swing(wall, hinge, sign, radius)], QUIET, width=0.13)
         leaf = [(hinge, 0), (hinge + sign * 0.04, 0), (hinge + sign * 0.04, radius), (hinge, radius)]

@@ -167,9 +167,8 @@ def text_width(text: str, size: float) -> float:
 def _svg_text(item: Text) -> str:
     x, y = _number(item.at[0]), _number(item.at[1])
     turn = f' transform="rotate({_number(-item.angle)} {x} {y})"' if item.angle else ""
-    edge = (
-        f' stroke="{item.halo}" stroke-width="{_number(0.28 * item.size)}" stroke-linejoin="round" paint-order="stroke"'
-    )
+    wide = _number(0.28 * item.size)
+    edge = f' stroke="{item.halo}" stroke-width="{wide}" stroke-linejoin="round" paint-order="stroke"'
     anchor = "" if item.anchor == "start" else f' text-anchor="{item.anchor}"'
     width = text_width(item.text, item.size)
     fit = f' textLength="{_number(width)}" lengthAdjust="spacingAndGlyphs"' if len(item.text) > 2 else ""
@@ -178,10 +177,8 @@ def _svg_text(item: Text) -> str:
 
 
 def _svg_shape(item: Shape) -> str:
-    path = "".join(
-        "M" + "L".join(f"{_number(x)} {_number(y)}" for x, y in ring) + ("Z" if item.closed else "")
-        for ring in item.rings
-    )
+    lines = ("L".join(f"{_number(x)} {_number(y)}" for x, y in ring) for ring in item.rings)
+    path = "".join(f"M{line}{'Z' if item.closed else ''}" for line in lines)
     style = f'fill="{item.fill or "none"}"' + (' fill-rule="evenodd"' if len(item.rings) > 1 else "")
     style += f' fill-opacity="{_number(item.opacity)}"' if item.opacity < 1 and item.fill else ""
     if item.stroke:
@@ -217,12 +214,8 @@ def paint(image: Image.Image, items: Iterable[Shape | Text], scale: float) -> No
             for ring in rings:
                 points = [*ring, ring[0], ring[1]] if item.closed and len(ring) > 1 else ring
                 for piece in _dashed(points, item.dash, scale):
-                    pen.line(
-                        piece,
-                        fill=_rgb(item.stroke),
-                        width=width,
-                        joint="curve" if width > 2 and len(piece) < 80 else None,
-                    )
+                    joint = "curve" if width > 2 and len(piece) < 80 else None
+                    pen.line(piece, fill=_rgb(item.stroke), width=width, joint=joint)
 
 
 def _paint_holes(image: Image.Image, rings: list[list[Point]], color: tuple[int, int, int, int]) -> None:

@@ -99,10 +99,8 @@ class GLRenderer:
         shadows = self._coarse.corners[self._sun_blockers & keep[self._coarse.groups]]
         matrices, atlas = self._atlas(shadows, toward)
         size, samples = (camera.width, camera.height), min(4, context.max_samples)
-        colors, depths = (
-            context.renderbuffer(size, 4, samples=samples),
-            context.depth_renderbuffer(size, samples=samples),
-        )
+        colors = context.renderbuffer(size, 4, samples=samples)
+        depths = context.depth_renderbuffer(size, samples=samples)
         canvas = context.framebuffer([colors], depths)
         canvas.use()
         canvas.clear(*LIGHT.background, 1.0)

@@ -181,13 +181,9 @@ def _soup(pieces: Sequence[tuple[Part, str, Pose | None, int]]) -> Mesh:
     world = np.stack([c * x - s * y, s * x + c * y, corners[..., 2]], axis=-1) + poses[of, None, :3]
     materials = [part.material for part, *_ in pieces]
     tints = [1.0 if m.texture is None else 1.0 / np.array(mean(m.texture)) for m in materials]
-    colors = np.array(
-        [
-            (*(linear(np.clip(np.array(m.color[:3]), 0, 1)) * tint), m.opacity)
-            for m, tint in zip(materials, tints, strict=True)
-        ],
-        dtype=np.float32,
-    )
+    plain = [linear(np.clip(np.array(m.color[:3]), 0, 1)) for m in materials]
+    tinted = [(*(color * tint), m.opacity) for color, tint, m in zip(plain, tints, materials, strict=True)]
+    colors = np.array(tinted, dtype=np.float32)
     textures = tuple(dict.fromkeys(m.texture for m in materials if m.texture is not None))
     layers = np.array([-1 if m.texture is None else textures.index(m.texture) for m in materials], dtype=np.int32)
     uvs = np.concatenate([coordinates(part) for part, *_ in pieces])

@@ -82,9 +82,8 @@ def _progress_items(
     for asset in order:
         if asset.name in snapshot.poses:
             x, y, yaw = snapshot.poses[asset.name]
-            draw_footprint(
-                sheet, asset, Pose(x, y, asset.size[2] / 2 + 0.1 * (level(asset) == "object"), yaw), stage.place
-            )
+            pose = Pose(x, y, asset.size[2] / 2 + 0.1 * (level(asset) == "object"), yaw)
+            draw_footprint(sheet, asset, pose, stage.place)
     sheet.items += draw_names(scene, order, snapshot.poses, stage)
     frame, steps = curve
     if steps:
@@ -132,14 +131,6 @@ def _gif(sheet: Drawing, painted: Sequence[Sequence[Item]], size: int, pauses: S
 def save_gif(frames: Sequence[Image.Image], pauses: Sequence[int]) -> bytes:
     """Return an endless GIF of frames that share one palette, each shown for its milliseconds."""
     stream = io.BytesIO()
-    frames[0].save(
-        stream,
-        "GIF",
-        save_all=True,
-        append_images=frames[1:],
-        duration=list(pauses),
-        loop=0,
-        optimize=False,
-        disposal=1,
-    )
+    more = {"save_all": True, "append_images": frames[1:], "duration": list(pauses)}
+    frames[0].save(stream, "GIF", loop=0, optimize=False, disposal=1, **more)
     return stream.getvalue()

@@ -74,10 +74,8 @@ def _draw_above(sheet: Drawing, agent: Agent, middle: Point, k: float) -> None:
     else:
         sheet.polygon([circle(middle, agent.radius * k, 72)], ROUTE, opacity=0.25, stroke=ROUTE, width=0.35)
     tip = min(2.0, 0.25 * length)
-    sheet.polygon(
-        [[(x + length / 2 - 0.4, y), (x + length / 2 - tip, y - 0.6 * tip), (x + length / 2 - tip, y + 0.6 * tip)]],
-        ROUTE,
-    )
+    ahead = x + length / 2
+    sheet.polygon([[(ahead - 0.4, y), (ahead - tip, y - 0.6 * tip), (ahead - tip, y + 0.6 * tip)]], ROUTE)
     outer = max(agent.reach if _has_arm(agent) else 0.0, agent.radius, _turning(agent) / 2) * k
     across = "" if agent.length is None else f" x {_metres(width / k)}"
     words = f"{_metres(length / k)}{across}" if across else f"{_metres(length / k)} across"
@@ -99,13 +97,8 @@ def _draw_side(sheet: Drawing, agent: Agent, floor: Point, k: float, broad: floa
         sheet.polygon([_reached(agent, floor, k)], REACH, opacity=0.12, stroke=REACH, width=0.2)
     top = y - agent.height * k
     low = y - agent.step * k
-    sheet.polygon(
-        [[(x - half, low), (x - half, top), (x + half, top), (x + half, low)]],
-        ROUTE,
-        opacity=0.25,
-        stroke=ROUTE,
-        width=0.35,
-    )
+    body = [(x - half, low), (x - half, top), (x + half, top), (x + half, low)]
+    sheet.polygon([body], ROUTE, opacity=0.25, stroke=ROUTE, width=0.35)
     sheet.line([(left - 3, y), (right + 1, y)], INK, width=0.35)
     marks = [(agent.height, "height", ROUTE), (agent.step, "steps over", NARROW)]
     if _has_arm(agent):

@@ -81,12 +81,8 @@ def draw_footprint(sheet: Drawing, asset: Asset, pose: Pose, place: Place, *, bl
 def cord(pose: Pose, place: Place) -> tuple[Point, Point, Point, Point]:
     """Return the corners of the cross where the cord of what hangs from the ceiling is fixed, millimetres."""
     x, y = place(pose.x, pose.y)
-    return (
-        (x - PLAN.cord, y - PLAN.cord),
-        (x + PLAN.cord, y - PLAN.cord),
-        (x + PLAN.cord, y + PLAN.cord),
-        (x - PLAN.cord, y + PLAN.cord),
-    )
+    left, right, top, bottom = x - PLAN.cord, x + PLAN.cord, y - PLAN.cord, y + PLAN.cord
+    return ((left, top), (right, top), (right, bottom), (left, bottom))
 
 
 LEVELS = ("flat", "floor", "object", "wall", "ceiling")  # where things are held, from below

@@ -137,9 +137,8 @@ def _lines(values: NDArray[np.float64]) -> list[list[tuple[float, float]]]:
     padded[: len(values)] = np.where(np.isnan(values), -np.inf, values)
     columns = padded.reshape(-1, stride)
     stretches: list[list[tuple[float, float]]] = [[]]
-    for number, (at, value) in enumerate(
-        zip(columns.argmax(axis=1).tolist(), columns.max(axis=1).tolist(), strict=True)
-    ):
+    highest = zip(columns.argmax(axis=1).tolist(), columns.max(axis=1).tolist(), strict=True)
+    for number, (at, value) in enumerate(highest):
         if value == -np.inf:
             stretches.append([])
         else:
