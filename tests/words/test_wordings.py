@@ -10,6 +10,7 @@ from robolayout.constraints import WallRef
 from robolayout.constraints.against_wall import AgainstWall
 from robolayout.constraints.zone import Zone
 from robolayout.planners import scene_from_sentence
+from robolayout.scene import Asset, Room, Scene
 from robolayout.words import Lexicon, Mention, read_rooms, read_text, read_words
 
 LEXICON = Lexicon(read_rooms())
@@ -171,3 +172,14 @@ def test_what_flanks_a_door_is_at_its_wall_one_on_each_side() -> None:
         assert [one.name for one in way] == ["against_wall", "near", "zone"] * 2
         assert {one.wall for one in way if isinstance(one, AgainstWall)} == {WallRef(wall)}
         assert len({one.polygon for one in way if isinstance(one, Zone)}) == 2
+
+
+def test_the_seats_of_a_scene_are_all_that_it_has() -> None:
+    table, chair = Asset("dining_table-0", "dining table", (0.9, 1.6, 0.75)), (0.5, 0.5, 0.9)
+    chairs = [Asset(f"dining_chair-{i}", "dining chair", chair) for i in range(2)]
+    plates = [Asset(f"plate-{i}", "plate", (0.2, 0.2, 0.02), on_floor=False, on_object=True) for i in range(2)]
+    rest = [Asset(f"armchair-{i}", "armchair", (0.8, 0.8, 0.9)) for i in range(2)]
+    text = "A table with two armchairs for afterwards. Plates before the seats."
+    scene = Scene(Room(((0, 0), (5, 0), (5, 4), (0, 4)), 2.6), (table, *chairs, *plates, *rest), task_description=text)
+    (row,) = [row for row in read_words(scene).rows if "plate" in row.words.lower() and row.kind == "relation"]
+    assert {name.split("-")[0] for name in row.things} == {"plate", "dining_chair"}

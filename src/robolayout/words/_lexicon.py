@@ -126,6 +126,8 @@ class Lexicon:
             if kind:
                 told = text in grammar().kinds or text in self.there
                 others = tuple(kind.split("|")[1:]) if told or text in self.own else phrase_index().get(text, ())[1:]
+                ends = grammar().groups.get(single, ())  # "the seats" of a scene are all that it has
+                others = (*others, *dict.fromkeys(there for there in self.there.values() if there.split()[-1] in ends))
                 return Noun(text if told else kind, kind.split("|")[0], single, "", others)
         return None
 

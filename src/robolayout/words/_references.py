@@ -68,6 +68,8 @@ class References(Spoken):
         count = sum(thing.count for thing in found)
         again = any(same_words(thing, chunk) for thing in found) or (len(found) == 1 and same(found[0], chunk))
         told = chunk.number or (2 if chunk.det == "both" else count)
+        more = {kind for kind in chunk.noun.others if kind.split()[-1] in ends} - {thing.noun.kind for thing in found}
+        again = again or bool(more)
         return [] if again or count < 2 or count != told else [Mention(thing, None, chunk.det) for thing in found]
 
     def _people(self) -> int:
