@@ -19,7 +19,7 @@ from robolayout.constraints.near import Near
 from robolayout.constraints.next_to import NextTo
 from robolayout.constraints.right_of import RightOf
 from robolayout.planners._knowledge import Join, usual_say
-from robolayout.planners._roles import Cast, depends
+from robolayout.planners._roles import Cast, chain
 from robolayout.program import Program
 from robolayout.scene import Scene
 from robolayout.words import Demand
@@ -99,30 +99,28 @@ def join_as_asked(cast: Mapping[str, Cast], demands: Sequence[Demand], passage: 
         item = found[name]
         others = {other for demand in demands if name in subjects(demand) for other in demand.names()}
         hung = any(r.name == "mounted_on" for demand in demands if name in subjects(demand) for r in demand.ways[0])
-        if item.anchor is not None and (hung or (item.anchor not in others and not _only_on(item))):
-            found[name] = replace(item, anchor=None, join=None)
+        if hung or (item.anchor not in others and not _only_on(item)):
+            found[name] = item.alone
     seats = (name for name in wanted if cast[name].role.name.endswith("seat"))
     told = {anchor for anchor, join in (wanted[name] for name in seats) if join.slot == "around"}
     for name in found.keys() - set(wanted):
-        if (join := found[name].join) is not None and join.slot == "around" and found[name].anchor in told:
-            found[name] = replace(found[name], anchor=None, join=None)  # that table has its own seats
+        if found[name].join.slot == "around" and found[name].anchor in told:
+            found[name] = found[name].alone  # that table has its own seats
     for a, b in (pair for demand in demands for relation in demand.ways[0] if len(pair := relation.asset_names()) == 2):
         if a in found and b in found:
             _loosen(b, a, found, set(wanted))
     for name, (anchor, join) in wanted.items():
-        found[name] = replace(found[name], anchor=None, join=None)
-        if not depends(anchor, name, found):
+        found[name] = found[name].alone
+        if name not in chain(anchor, found):
             found[name] = replace(found[name], anchor=anchor, join=join)
     return found
 
 
 def _loosen(name: str, root: str, cast: dict[str, Cast], held: Set[str]) -> None:
     """Let what usually stands in a row that ends at `root` stand by itself, where `root` is asked to be placed by `name`."""
-    while name in cast and (anchor := cast[name].anchor) is not None:
-        join = cast[name].join
-        if anchor == root and join is not None and join.loose and name not in held:
-            cast[name] = replace(cast[name], anchor=None, join=None)
-        name = anchor
+    last = next((one for one in chain(name, cast) if cast[one].anchor == root), "")
+    if last and cast[last].join.loose and last not in held:
+        cast[last] = cast[last].alone
 
 
 def _only_on(item: Cast) -> bool:
@@ -166,7 +164,7 @@ def _joins(demand: Demand, cast: Mapping[str, Cast], passage: float) -> list[tup
 
 def _bearer(item: Cast, cast: Mapping[str, Cast]) -> Cast:
     """Return what a thing stands on, down to the floor: who sits before a screen sits before its stand."""
-    while item.anchor is not None and item.joined.slot in ("on", "setting"):
+    while item.join.on_top:
         item = cast[item.anchor]
     return item
 
@@ -224,7 +222,7 @@ def _side_by_side(three: Sequence[Cast], passage: float) -> list[tuple[str, tupl
 def _join(relation: Relation, a: Cast, b: Cast, passage: float, *, around: bool, turned: float) -> Join | None:
     """Return how a thing joins another, None where it is placed by itself."""
     if relation.name == "on_top_of":
-        known = next((join for join in a.role.joins if join.slot in ("on", "setting")), None)
+        known = next((join for join in a.role.joins if join.on_top), None)
         return known or Join("on", ("*",), say=("on_top_of({a}, {b})",))
     if _only_on(a) or (a.asset.on_wall and not a.asset.on_floor):
         return None

@@ -28,8 +28,16 @@ from robolayout.planners._shapes import among, build, table, tables
 from robolayout.scene import Asset
 from robolayout.words.rooms import RoomType
 
-SLOTS = ("beside", "front", "flank", "opposite", "behind", "around", "on", "setting", "near")
-"""Ways of standing at something else."""
+SLOTS = {
+    "beside": "beside",
+    "flank": "at the side of",
+    "front": "in front of",
+    "behind": "behind",
+    "around": "around",
+    "on": "on top of",
+    "setting": "laid out on",
+}
+"""Ways of standing at something else, in words."""
 STANDS = ("wall", "corner", "middle", "facing", "grid", "hang", "ceiling", "rug")
 """Ways of standing by itself."""
 GROUP_KEYS = ("label", "order", "why")
@@ -65,6 +73,15 @@ class Join:
     loose: bool = False  # whether it may stand by itself if there is no room for it there
     gather: bool = False  # whether they stand together on one thing rather than one on each
 
+    @property
+    def on_top(self) -> bool:
+        """Whether it stands on the other thing."""
+        return self.slot in ("on", "setting")
+
+
+ALONE = Join("", ())
+"""How what joins nothing stands."""
+
 
 @dataclass(frozen=True)
 class Face:
@@ -83,7 +100,6 @@ class Role:
 
     name: str  # name of the role ("bed")
     group: str  # label of its functional group ("sleeping")
-    order: int  # place of the group, structural first
     rank: int  # when it is placed; low first
     names: tuple[str, ...] = ()  # what plays it: the categories whose records say so, and other words for things
     words: tuple[str, ...] = ()  # words in an asset's category that also give it this role
@@ -93,7 +109,7 @@ class Role:
     prefer: Mapping[str, float] = field(default_factory=dict[str, float])
     # metres kept free on some sides ({"front": 1.2}); sides not named follow the category
     clear: Mapping[str, float] = field(default_factory=dict[str, float])
-    face: Face | None = None  # what it has in front of it
+    face: Face = Face(())  # what it has in front of it
     height: float = 0.0  # height in metres of the centre of a hung asset; 0 lets size decide
     above: tuple[str, ...] = ()  # roles over which a hung asset is centred
     # statements by way of standing
@@ -102,12 +118,20 @@ class Role:
 
 
 @dataclass(frozen=True)
+class Head:
+    """The head of a file: its group, the place of that group, structural first, and why things stand as they do."""
+
+    label: str
+    order: int = 50
+    why: str = ""
+
+
+@dataclass(frozen=True)
 class Knowledge:
-    """All roles, with the sentence of each group."""
+    """All roles and groups."""
 
     roles: Mapping[str, Role]  # roles by name
-    reasons: Mapping[str, str]  # rationale by group label
-    orders: Mapping[str, int]  # place by group label
+    groups: Mapping[str, Head]  # groups by label
     things: tuple[Category, ...] = ()  # categories of the user's own
     rooms: tuple[RoomType, ...] = ()  # room types of the user's own
 
@@ -119,15 +143,6 @@ class Knowledge:
             asset.category, description=asset.description, size=asset.size, place=place_of(asset), own=self.things
         )
         return found if found in self.things else None
-
-
-@dataclass(frozen=True)
-class _Group:
-    """The head of a file: the name of its group, its place among them, and why things stand as they do."""
-
-    label: str
-    order: int = 50
-    why: str = ""
 
 
 def load_knowledge(extra: Iterable[Path] = ()) -> Knowledge:
@@ -152,7 +167,7 @@ def _slots() -> Mapping[str, Any]:
 
 @cache
 def _parse(texts: tuple[tuple[str, str], ...]) -> Knowledge:
-    reading = _Reading(_slots())
+    reading = _Reading()
     for data in built_in_data().values():
         if "group" in data:
             reading.add({key: data[key] for key in HEADS if key in data})
@@ -170,13 +185,12 @@ def _parse(texts: tuple[tuple[str, str], ...]) -> Knowledge:
 class _Reading:
     """Collects what one file after the other says; the user's own replace built-in ones."""
 
-    def __init__(self, slots: Mapping[str, Any]) -> None:
+    def __init__(self) -> None:
         self.roles: dict[str, Role] = {}
-        self.groups: dict[str, _Group] = {}
+        self.groups: dict[str, Head] = {}
         self.things: dict[str, Category] = {}
         self.rooms: dict[str, RoomType] = {}
         self.files: dict[tuple[str, str], str] = {}  # which of the user's own files says what
-        self.slots = slots
 
     def cast(self, thing: Category) -> None:
         """Let a thing play the role that its record names."""
@@ -190,9 +204,9 @@ class _Reading:
         records = {key: value for key, value in data.items() if key not in TOP_KEYS and isinstance(value, Mapping)}
         among("key", [key for key in data if key not in records], TOP_KEYS)
         head = data.get("group", {key: data[key] for key in GROUP_KEYS if key in data})
-        group = build(_Group, head, "its group" if "group" in data else "its top")
+        group = build(Head, head, "its group" if "group" in data else "its top")
         self.groups[group.label] = group
-        found = [_role(entry, group, self.slots) for entry in _named(data.get("role", []), "role")]
+        found = [_role(entry, group) for entry in _named(data.get("role", []), "role")]
         self.roles |= {role.name: role for role in found}
         entries = [*_named(data.get("thing", []), "thing"), *_named(records, "thing")]
         things = [own_thing(entry, group.label) for entry in entries]
@@ -210,9 +224,7 @@ class _Reading:
         """Return everything that was read, once its roles are known to fit together."""
         for role in self.roles.values():
             _check(role, self.roles)
-        reasons = {label: group.why for label, group in self.groups.items()}
-        orders = {label: group.order for label, group in self.groups.items()}
-        return Knowledge(self.roles, reasons, orders, tuple(self.things.values()), tuple(self.rooms.values()))
+        return Knowledge(self.roles, self.groups, tuple(self.things.values()), tuple(self.rooms.values()))
 
 
 def _named(entries: object, where: str) -> list[dict[str, Any]]:
@@ -223,18 +235,17 @@ def _named(entries: object, where: str) -> list[dict[str, Any]]:
     return tables(entries, where)
 
 
-def _role(entry: dict[str, Any], group: _Group, slots: Mapping[str, Any]) -> Role:
+def _role(entry: dict[str, Any], group: Head) -> Role:
     where = f"the role {entry.get('name', 'without a name')!r}"
     stands = entry.get("stands", ["wall"])
-    said = {mode: tuple(slots.get(mode, {}).get("say", ())) for mode in STANDS}
+    said = {mode: tuple(_slots().get(mode, {}).get("say", ())) for mode in STANDS}
     said |= table(entry.get("say", {}), f"{where}: say")
     fixed: dict[str, Any] = {
         "group": group.label,
-        "order": group.order,
         "rank": entry.get("rank", group.order),
         "stands": stands,
-        "joins": tuple(_join(item, where, slots) for item in tables(entry.get("joins", []), f"{where}: joins")),
-        "face": build(Face, entry["face"], f"{where}: face") if "face" in entry else None,
+        "joins": tuple(_join(item, where) for item in tables(entry.get("joins", []), f"{where}: joins")),
+        "face": build(Face, entry.get("face", {"roles": ()}), f"{where}: face"),
         "say": said,
     }
     role = build(Role, {**entry, **fixed}, where)
@@ -242,9 +253,9 @@ def _role(entry: dict[str, Any], group: _Group, slots: Mapping[str, Any]) -> Rol
     return role
 
 
-def _join(item: dict[str, Any], where: str, slots: Mapping[str, Any]) -> Join:
+def _join(item: dict[str, Any], where: str) -> Join:
     among(f"slot in {where}:", [str(item.get("slot", ""))], SLOTS)
-    return build(Join, {**slots.get(item["slot"], {}), **item}, f"{where}: joins")
+    return build(Join, {**_slots()[item["slot"]], **item}, f"{where}: joins")
 
 
 def _check(role: Role, roles: Mapping[str, Role]) -> None:
@@ -252,8 +263,8 @@ def _check(role: Role, roles: Mapping[str, Role]) -> None:
     where = f"the role {role.name!r}"
     wanted = [name for join in role.joins for name in join.of if name != "*"] + [*role.above]
     wanted += [key.split(" ", 1)[1] for key in role.prefer if key.startswith(("near ", "far "))]
-    among(f"role in {where}:", [*wanted, *(role.face.roles if role.face else ())], roles)
-    lines = [line for said in role.say.values() for line in said] + list(role.face.say if role.face else ())
+    among(f"role in {where}:", [*wanted, *role.face.roles], roles)
+    lines = [line for said in role.say.values() for line in said] + [*role.face.say]
     lines += [line for join in role.joins for line in (*join.say, *join.pair, *join.all)]
     for line in lines:
         text = line.removeprefix("else ")

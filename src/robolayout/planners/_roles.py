@@ -7,7 +7,7 @@ from collections.abc import Callable, Mapping, Sequence, Set
 from dataclasses import dataclass, replace
 
 from robolayout.assets import Category, category_of
-from robolayout.planners._knowledge import Join, Knowledge, Role
+from robolayout.planners._knowledge import ALONE, Join, Knowledge, Role
 from robolayout.scene import Agent, Asset, Scene
 from robolayout.scene.agent import horizontal_reach
 
@@ -31,8 +31,8 @@ class Cast:
     asset: Asset
     role: Role  # what it is for
     category: Category  # what the catalogue knows about it
-    anchor: str | None = None  # name of the asset it joins; None if it stands by itself
-    join: Join | None = None  # how it joins that asset
+    anchor: str = ""  # name of the asset it joins; empty if it stands by itself
+    join: Join = ALONE  # how it joins that asset
 
     @property
     def name(self) -> str:
@@ -40,11 +40,9 @@ class Cast:
         return self.asset.name
 
     @property
-    def joined(self) -> Join:
-        """How it joins its anchor; only for those that have one."""
-        if self.join is None:
-            raise ValueError(f"{self.name} stands by itself")
-        return self.join
+    def alone(self) -> Cast:
+        """The same by itself."""
+        return replace(self, anchor="", join=ALONE)
 
 
 def cast_scene(scene: Scene, knowledge: Knowledge) -> dict[str, Cast]:
@@ -68,7 +66,7 @@ def cast_scene(scene: Scene, knowledge: Knowledge) -> dict[str, Cast]:
         anchor, join = found
         cast[name] = replace(cast[name], anchor=anchor, join=join)
         taken[anchor, cast[name].role.name] = taken.get((anchor, cast[name].role.name), 0) + 1
-        if join.slot in ("on", "setting"):
+        if join.on_top:
             covered[anchor] = covered.get(anchor, 0.0) + _footprint(cast[name].asset)
     return cast
 
@@ -76,7 +74,7 @@ def cast_scene(scene: Scene, knowledge: Knowledge) -> dict[str, Cast]:
 def _handy(name: str, cast: Mapping[str, Cast], agents: Sequence[Agent], *, narrow: bool = False) -> set[str]:
     """Return the assets on which a thing would be in every arm's reach; none for what joins no top."""
     item = cast[name]
-    if not any(join.slot in ("on", "setting") for join in item.role.joins):
+    if not any(join.on_top for join in item.role.joins):
         return set()
     heights = {other.asset.size[2] for other in cast.values()}
     within = {height for height in heights if in_height(agents, item.asset, height, narrow=narrow)}
@@ -121,7 +119,7 @@ def _fits(role: Role, asset: Asset) -> bool:
 
 def join_allowed(join: Join, asset: Asset) -> bool:
     """Whether the asset's flags allow it to join in that way."""
-    return asset.on_object if join.slot in ("on", "setting") else asset.on_floor
+    return asset.on_object if join.on_top else asset.on_floor
 
 
 def fallback(asset: Asset) -> str:
@@ -172,10 +170,10 @@ def _anchor(
                 (taken.get((name, item.role.name), 0) * (-1 if join.gather else 1), -_score(other), order, name)
                 for order, (name, other) in enumerate(cast.items())
                 if name != item.name
-                and (name in handy or join.slot not in ("on", "setting"))
+                and (name in handy or not join.on_top)
                 and (other.role.name == wanted or (wanted == "*" and other.role.top))
                 and taken.get((name, item.role.name), 0) < join.most
-                and not depends(name, item.name, cast)
+                and item.name not in chain(name, cast)
                 and _room_for(item.asset, other.asset, join, covered.get(name, 0.0))
             ]
             if free:
@@ -195,29 +193,25 @@ def _any_top(item: Cast, cast: Mapping[str, Cast], covered: Mapping[str, float])
     best = [
         (other.asset.size[2] > TOP_HEIGHT, not other.role.top, covered.get(name, 0.0) - _footprint(other.asset), name)
         for name, other in cast.items()
-        if name != item.name and other.asset.on_floor and not other.asset.is_flat and not depends(name, item.name, cast)
+        if name != item.name and other.asset.on_floor and not other.asset.is_flat and item.name not in chain(name, cast)
     ]
     return (min(best)[-1], Join("on", ("*",), say=("on_top_of({a}, {b})",))) if best else None
 
 
 def _room_for(asset: Asset, other: Asset, join: Join, covered: float) -> bool:
-    if join.slot not in ("on", "setting"):
+    if not join.on_top:
         return not other.is_flat
     depth, width, height = other.size
     fits = max(asset.size[:2]) <= max(depth, width) + 0.02 and min(asset.size[:2]) <= min(depth, width) + 0.02
     return fits and height <= TOP_HEIGHT and covered + _footprint(asset) <= TOP_SHARE * depth * width
 
 
-def depends(name: str, on: str, cast: Mapping[str, Cast]) -> bool:
-    """Whether `name` stands, directly or not, at `on`."""
-    seen: set[str] = set()
-    current: str | None = name
-    while current is not None and current not in seen:
-        if current == on:
-            return True
-        seen.add(current)
-        current = cast[current].anchor
-    return False
+def chain(name: str, cast: Mapping[str, Cast]) -> list[str]:
+    """Return an asset, what it joins, what that joins, and so on to what stands by itself."""
+    found = [name]
+    while anchor := cast[found[-1]].anchor:
+        found.append(anchor)
+    return found
 
 
 def passage(scene: Scene) -> float:

@@ -2,72 +2,56 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import MISSING, fields
-from typing import Any, TypeVar
+from functools import cache
+from typing import Any, TypeVar, cast, get_args, get_origin, get_type_hints
 
 from robolayout._errors import SceneError, UnknownNameError
 from robolayout._reading import show
 
 Kind = TypeVar("Kind")
+_KINDS = cache(get_type_hints)
 
-
-def _is_text(value: object) -> bool:
-    return isinstance(value, str)
-
-
-def _is_whole(value: object) -> bool:
-    return isinstance(value, int) and not isinstance(value, bool)
-
-
-def _is_number(value: object) -> bool:
-    return isinstance(value, float) or _is_whole(value)
-
-
-def _is_list(value: object, holds: Callable[[object], bool]) -> bool:
-    return isinstance(value, list | tuple) and all(holds(item) for item in value)
-
-
-def _is_table(value: object, holds: Callable[[object], bool]) -> bool:
-    return isinstance(value, Mapping) and all(holds(item) for item in value.values())
-
-
-SHAPES: dict[str, tuple[str, Callable[[object], bool]]] = {
-    "str": ("a text in quotes", _is_text),
-    "str | None": ("a text in quotes", _is_text),
-    "int": ("a whole number", _is_whole),
-    "float": ("a number", _is_number),
-    "bool": ("true or false", lambda value: isinstance(value, bool)),
-    "tuple[str, ...]": ("a list of texts", lambda value: _is_list(value, _is_text)),
-    "tuple[float, float]": ("two numbers", lambda value: _is_list(value, _is_number) and len(value) == 2),  # type: ignore[arg-type]
-    "tuple[float, float, float]": ("three numbers", lambda value: _is_list(value, _is_number) and len(value) == 3),  # type: ignore[arg-type]
-    "Mapping[str, float]": ("a table of numbers", lambda value: _is_table(value, _is_number)),
-    "Mapping[str, int]": ("a table of whole numbers", lambda value: _is_table(value, _is_whole)),
-    "Mapping[str, tuple[str, ...]]": (
-        "a table of lists of texts",
-        lambda value: _is_table(value, lambda item: _is_list(item, _is_text)),
-    ),
+WORDS = {
+    "str": "a text in quotes",
+    "str | None": "a text in quotes",
+    "int": "a whole number",
+    "float": "a number",
+    "bool": "true or false",
+    "tuple[str, ...]": "a list of texts",
+    "tuple[float, float]": "two numbers",
+    "tuple[float, float, float]": "three numbers",
+    "Mapping[str, float]": "a table of numbers",
+    "Mapping[str, int]": "a table of whole numbers",
+    "Mapping[str, tuple[str, ...]]": "a table of lists of texts",
 }
-"""What is asked for, in words and as a test, by the annotation of the field."""
+"""What is asked for, by the annotation of the field; fields of other kinds hold what was made before."""
+
+
+def _fits(value: object, kind: Any) -> bool:
+    """Return whether a value is of an annotated kind: a list for a tuple, a whole number for any number."""
+    inner = get_args(kind)
+    if get_origin(kind) is tuple:
+        sized = isinstance(value, list | tuple) and (inner[-1] is ... or len(value) == len(inner))
+        return sized and all(_fits(item, inner[0]) for item in cast("Sequence[object]", value))
+    if get_origin(kind) is Mapping:
+        return isinstance(value, Mapping) and all(_fits(item, inner[1]) for item in value.values())
+    return isinstance(value, bool) == (kind is bool) and isinstance(value, int | float if kind is float else kind)
 
 
 def build(kind: type[Kind], entry: Mapping[str, Any], where: str) -> Kind:
-    """Return an entry of a file as its class; lists become tuples.
-
-    Args:
-        kind: The dataclass.
-        entry: Values by key; those that are no plain values already are left as they are.
-        where: What the entry is, for messages ("the role 'harp'").
+    """Return an entry of a file as a dataclass; lists become tuples.
 
     Raises:
         SceneError: A key is missing, unknown, or holds a value of the wrong kind.
     """
-    known = {field.name: field for field in fields(kind)}  # type: ignore[arg-type]
+    known, kinds = {field.name: field for field in fields(kind)}, _KINDS(kind)  # type: ignore[arg-type]
     for key, value in table(entry, where).items():
         if key not in known:
             raise UnknownNameError(f"key in {where}:", key, known)
-        words, holds = SHAPES.get(str(known[key].type), ("", None))
-        if holds is not None and not holds(value):
+        words = WORDS.get(str(known[key].type))
+        if words is not None and not _fits(value, kinds[key]):
             raise SceneError(f"{where}: {key} must be {words}, but is {show(value)}.")
     for name, field in known.items():
         if name not in entry and field.default is MISSING and field.default_factory is MISSING:
@@ -76,22 +60,14 @@ def build(kind: type[Kind], entry: Mapping[str, Any], where: str) -> Kind:
 
 
 def tables(value: object, where: str) -> list[dict[str, Any]]:
-    """Return a list of tables ("[[role]]") as it is.
-
-    Raises:
-        SceneError: It is something else.
-    """
+    """Return a list of tables ("[[role]]") as it is; anything else is refused."""
     if not isinstance(value, list) or not all(isinstance(item, dict) for item in value):
         raise SceneError(f"{where} must be a list of tables, but is {show(value)}.")
     return [dict(item) for item in value]
 
 
 def table(value: object, where: str) -> dict[str, Any]:
-    """Return a table as it is.
-
-    Raises:
-        SceneError: It is something else.
-    """
+    """Return a table as it is; anything else is refused."""
     if not isinstance(value, Mapping):
         raise SceneError(f"{where} must be a table, but is {show(value)}.")
     return dict(value)

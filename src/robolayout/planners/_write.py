@@ -6,13 +6,13 @@ Only names from the scene's variables, numbers and the templates of the knowledg
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
-from robolayout.planners._roles import Cast, passage
-from robolayout.planners.grouping import root
-from robolayout.scene import Scene, Wall
+from robolayout.planners._roles import Cast, chain, passage
+from robolayout.scene import Scene
 
 
 @dataclass(frozen=True)
@@ -67,7 +67,7 @@ class Writer:
         return sorted(self.cast, key=lambda name: self._turn(name, seen))
 
     def _turn(self, name: str, seen: Collection[str]) -> tuple[object, ...]:
-        top = self.cast[root(self.cast, name)]
+        top = self.cast[chain(name, self.cast)[-1]]
         hangs = bool(self.asked) and top.asset.on_wall and not top.asset.on_floor and top.name not in seen
         late = (hangs or top.role.rank >= SAYING.small) and top.name not in self.asked
         turn = (top.role.rank, -top.asset.size[0] * top.asset.size[1], top.name)
@@ -76,10 +76,9 @@ class Writer:
     def lines(self, name: str) -> Iterator[Line]:
         """Yield what is said of one asset; sets of assets speak with their last one."""
         item = self.cast[name]
-        alone = item.join is None or (item.join.loose and item.asset.on_floor)
-        if item.join is not None:
+        if item.anchor:
             yield from self._joined(item)
-        if alone:
+        if not item.anchor or (item.join.loose and item.asset.on_floor):
             yield from self._standing(item)
             yield from self._wishes(item)
         yield from self._cleared(item)
@@ -88,14 +87,13 @@ class Writer:
     # at something else
 
     def _joined(self, item: Cast) -> Iterator[Line]:
-        join, weight = item.joined, SAYING.joined if item.joined.loose else None
+        join, weight = item.join, SAYING.joined if item.join.loose else None
         values = self._values(item) | self._about(item)
         yield from self._fill(join.say, values, weight, item.name)
         yield from self._on_top(item)
         peers = self._peers(item)
         if peers[-1] == item.name:
-            items = "[" + ", ".join(self._name(peer) for peer in peers) + "]"
-            yield from self._fill(join.all, values | {"items": items}, weight, *peers)
+            yield from self._fill(join.all, values | {"items": self._list(peers)}, weight, *peers)
             for first, second in zip(peers[::2], peers[1::2], strict=False):
                 if self.scene.by_name[first].size == self.scene.by_name[second].size:
                     pair = values | {"a": self._name(first), "a2": self._name(second)}
@@ -103,17 +101,16 @@ class Writer:
 
     def _peers(self, item: Cast) -> list[str]:
         """Return what joins the same thing in the same role, in order."""
-        return [n for n, one in self.cast.items() if one.anchor == item.anchor and one.role is item.role and one.join]
+        return [n for n, one in self.cast.items() if one.anchor == item.anchor and one.role is item.role]
 
     def _on_top(self, item: Cast) -> Iterator[Line]:
         """Yield where on a top a thing belongs: toward an edge, or beside the plate of its guest."""
-        join, a, b = item.joined, self._name(item.name), self._name(item.anchor or "")
+        join, a, b = item.join, self._name(item.name), self._name(item.anchor)
         halves = {"hand": ("front", "left"), "side": ("left",), "front": ("front",), "back": ("back",)}
         if join.slot == "on":
             for side in halves.get(join.at, ()):
-                yield Line(f'solver.wish.toward({a}, {b}, "{side}")', (item.name, item.anchor or ""))
-        joined = ((n, one.join) for n, one in self.cast.items() if one.anchor == item.anchor)
-        plates = [n for n, its in joined if its and its.at == "plate"]
+                yield _wish(f'toward({a}, {b}, "{side}")', None, item.name, item.anchor)
+        plates = [n for n, one in self.cast.items() if one.anchor == item.anchor and one.join.at == "plate"]
         number = self._peers(item).index(item.name)
         said = {
             "left": "left_of({a}, {p}, 0, 0.3)",
@@ -125,11 +122,11 @@ class Writer:
         }
         if join.slot == "setting" and join.at in said and number < len(plates):
             text = said[join.at].format(a=a, p=self._name(plates[number]))
-            yield Line(f"solver.wish.{text}", (item.name, plates[number]))
+            yield _wish(text, None, item.name, plates[number])
 
     def _about(self, item: Cast) -> dict[str, str]:
         """Return what a template may say about an asset and the one that it joins."""
-        join, anchor = item.joined, self.cast[item.anchor or ""]
+        join, anchor = item.join, self.cast[item.anchor]
         number = self._peers(item).index(item.name)
         before = self._taken(item, number)
         tucked = item.category.movable and join.slot in ("front", "behind")
@@ -152,14 +149,14 @@ class Writer:
 
     def _taken(self, item: Cast, number: int) -> float:
         """Return metres that others may take between a thing and what it joins."""
-        slot = item.joined.slot
-        others = [o for o in self.cast.values() if o.anchor == item.anchor and o.join and o.joined.slot == slot]
+        slot = item.join.slot
+        others = [o for o in self.cast.values() if o.anchor == item.anchor and o.join.slot == slot]
         if slot in ("front", "behind"):
             roles = {o.role.name: o.role for o in others if o.role is not item.role}.values()
             return sum(max(o.asset.size[0] for o in others if o.role is role) for role in roles)
         if slot == "beside":
             rank = [o.name for o in others].index(item.name)
-            return sum(o.asset.size[1] + o.joined.gap for o in others[: rank // 2 * 2 : 2]) if rank > 1 else 0.0
+            return sum(o.asset.size[1] + o.join.gap for o in others[: rank // 2 * 2 : 2]) if rank > 1 else 0.0
         return 0.0
 
     # by itself
@@ -168,7 +165,7 @@ class Writer:
         """Yield how a thing stands by itself: demanded where its role leaves no other way, else wished."""
         modes, name = _modes(item), item.name
         values, say = self._values(item), item.role.say
-        bound = SAYING.joined if item.join or name in self.asked else None
+        bound = SAYING.joined if item.anchor or name in self.asked else None
         if modes[0] in ("hang", "ceiling", "rug"):
             yield from self._off_the_floor(item, modes[0])
         elif modes == ["corner"]:
@@ -196,7 +193,7 @@ class Writer:
             item = self.cast[name]
             if item.asset.on_floor and not item.asset.is_flat and set(_modes(item)) <= {"wall", "corner"}:
                 left -= item.asset.size[1]
-                found += [name] if left >= 0.0 and item.join is None and _modes(item) == ["wall"] else []
+                found += [name] if left >= 0.0 and not item.anchor and _modes(item) == ["wall"] else []
         return frozenset(found)
 
     def _playing(self, *roles: str) -> list[str]:
@@ -205,7 +202,7 @@ class Writer:
 
     def _equal(self, item: Cast) -> list[str]:
         """Return what stands by itself in the same role."""
-        return [n for n, one in self.cast.items() if one.role is item.role and one.anchor is None]
+        return [n for n, one in self.cast.items() if one.role is item.role and not one.anchor]
 
     def _in_the_middle(self, item: Cast) -> list[str]:
         """Return which of some equal things stand in rows: all; in large rooms only those that the walls leave to the middle."""
@@ -221,11 +218,10 @@ class Writer:
     def _in_rows(self, item: Cast, equal: Sequence[str]) -> Iterator[Line]:
         """Yield that equal things stand in rows, with the last of them."""
         if len(equal) > 1 and equal[-1] == item.name:
-            prefer, items = item.role.prefer, "[" + ", ".join(self._name(n) for n in equal) + "]"
-            gap = prefer.get("gap", passage(self.scene))
+            prefer, open_way = item.role.prefer, passage(self.scene)
+            aisle, gap = prefer.get("aisle", open_way), prefer.get("gap", open_way)
             backs = ', backs="paired"' if prefer.get("paired", 0) > 0 else ""
-            text = f"in_rows({items}, {prefer.get('aisle', passage(self.scene)):g}, {gap:g}{backs}, weight={SAYING.first:g})"
-            yield Line(f"solver.wish.{text}", tuple(equal))
+            yield _wish(f"in_rows({self._list(equal)}, {aisle:g}, {gap:g}{backs})", SAYING.first, *equal)
 
     def _off_the_floor(self, item: Cast, mode: str) -> Iterator[Line]:
         """Yield where a thing hangs or lies."""
@@ -237,7 +233,7 @@ class Writer:
         if mode == "hang":
             yield from self._fill(item.role.say["hang"], values, None, item.name)
             if item.role.height:
-                yield Line(f"solver.wish.mounted_on({a}, None, {item.role.height:g})", (item.name,))
+                yield _wish(f"mounted_on({a}, None, {item.role.height:g})", None, item.name)
             if over:
                 ways = [f"above({a}, {self._name(n)})" for n in over]
                 yield _wish(_either(ways), None, item.name, *over)
@@ -248,10 +244,10 @@ class Writer:
         if mode == "rug" and owner is not None:
             side = {"bed": "front", "narrow bed": "left", "child bed": "left"}.get(self.cast[owner].role.name)
             if side:
-                yield Line(f'solver.wish.toward({a}, {self._name(owner)}, "{side}")', (item.name, owner))
+                yield _wish(f'toward({a}, {self._name(owner)}, "{side}")', None, item.name, owner)
         yield from self._fill(item.role.say[mode], values, None, item.name)
         if mode == "ceiling" and owner is None:
-            yield Line(f"solver.wish.centered_on({a}, room)", (item.name,))
+            yield _wish(f"centered_on({a}, room)", None, item.name)
 
     def _shared(self, item: Cast, owner: str) -> bool:
         """Whether something else hangs over the same thing."""
@@ -300,7 +296,7 @@ class Writer:
         word, role = key.split(" ", 1)
         others = [n for n in self._playing(role) if n != item.name]
         if others:
-            call = f"grouped({self._name(item.name)}, [{', '.join(self._name(n) for n in others)}])"
+            call = f"grouped({self._name(item.name)}, {self._list(others)})"
             yield _wish(call, weight if word == "near" else -weight, item.name, *others)
 
     def _cleared(self, item: Cast) -> Iterator[Line]:
@@ -315,9 +311,8 @@ class Writer:
 
     def _faced(self, item: Cast) -> Iterator[Line]:
         """Yield what a thing looks at."""
-        face, a = item.role.face, self._name(item.name)
-        names = self._faces(item)
-        if face is None or not names:
+        face, a, names = item.role.face, self._name(item.name), self._faces(item)
+        if not names:
             return
         angle = "" if face.how == "toward" else ", 180"
         looks = [f"point_towards({a}, {self._name(n)}{angle})" for n in names]
@@ -330,22 +325,20 @@ class Writer:
 
     def _looking(self, target: str) -> list[str]:
         """Return what has to be before a thing."""
-        return [n for n, one in self.cast.items() if one.role.face and one.role.face.say and target in self._faces(one)]
+        return [n for n, one in self.cast.items() if one.role.face.say and target in self._faces(one)]
 
     def _faces(self, item: Cast) -> list[str]:
         """Return what a thing should face: all of the first role that is there, one each where it stands before them."""
         face, equal = item.role.face, self._equal(item)
-        for role in face.roles if face else ():
-            found = [n for n in self._playing(role) if n != item.name]
-            if face and face.say and item.name in equal and found:
-                return [found[equal.index(item.name) % len(found)]]
-            if found:
-                return found
-        return []
+        playing = ([n for n in self._playing(role) if n != item.name] for role in face.roles)
+        found = next(filter(None, playing), [])
+        if found and face.say and item.name in equal:
+            return [found[equal.index(item.name) % len(found)]]
+        return found
 
     def _edges(self, item: Cast, other: str) -> tuple[float, float]:
         """Return the distances of a thing to what it faces from edge to edge, metres."""
-        low, high = item.role.face.distance if item.role.face else (0.0, 0.0)
+        low, high = item.role.face.distance
         apart = (item.asset.size[0] + self.scene.by_name[other].size[0]) / 2
         return round(max(0.0, low - apart), 2), round(max(0.1, high - apart), 2)
 
@@ -353,6 +346,9 @@ class Writer:
 
     def _name(self, name: str) -> str:
         return self.scene.expressions[name]
+
+    def _list(self, names: Iterable[str]) -> str:
+        return f"[{', '.join(map(self._name, names))}]"
 
     def _values(self, item: Cast) -> dict[str, str]:
         """Return everything that a template may name for an asset by itself."""
@@ -365,7 +361,7 @@ class Writer:
             "depth": f"{max(item.category.open_depth, 0.5):g}",
         }
         names = self._faces(item)
-        if item.join is None and names and item.role.face:
+        if names and not item.anchor:
             low, high = self._edges(item, names[0])
             near, far = item.role.face.distance
             ends = {"near": near, "far": far, "ahead low": low, "ahead high": high}
@@ -382,7 +378,7 @@ class Writer:
             if otherwise and not skipped:
                 continue
             text = template.removeprefix("else ")
-            needed = [key for key in _keys(text) if not values.get(key)]
+            needed = [key for key in re.findall(r"\{(.*?)\}", text) if not values.get(key)]
             skipped = bool(needed)
             if not needed:
                 about = [values[f"{key} name"] for key in ("b", "seat") if f"{{{key}}}" in text]
@@ -411,23 +407,3 @@ def _modes(item: Cast) -> list[str]:
     if asset.on_ceiling and not asset.on_floor:
         return ["ceiling"]
     return [mode for mode in stands if mode in ("wall", "corner", "middle", "facing", "grid")] or ["wall", "middle"]
-
-
-def _keys(text: str) -> list[str]:
-    return [part.split("}")[0] for part in text.split("{")[1:]]
-
-
-def mentioned(lines: Sequence[Line], subjects: Collection[str], known: Collection[str]) -> list[Line]:
-    """Return the lines that are about `subjects` and name nothing but those and `known` assets."""
-    fresh, there = set(subjects), set(subjects) | set(known)
-    return [line for line in lines if fresh.intersection(line.names) and there.issuperset(line.names)]
-
-
-def wall_words(wall: Wall, scene: Scene) -> str:
-    """Return a wall in words for a comment: its number, length and openings."""
-    extras = [
-        word
-        for word, openings in (("door", scene.room.doors), ("window", scene.room.windows))
-        if any(o.wall == wall.index for o in openings)
-    ]
-    return f"walls[{wall.index}], {wall.length:.2f} m" + (f", with {' and '.join(extras)}" if extras else "")

@@ -2,18 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from pathlib import Path
 
 from robolayout.planners._asked import asked_lines, cornered, join_as_asked, subjects
-from robolayout.planners._knowledge import Knowledge, load_knowledge
+from robolayout.planners._knowledge import SLOTS, Head, Knowledge, load_knowledge
 from robolayout.planners._own import own_sides
-from robolayout.planners._roles import cast_scene, passage
+from robolayout.planners._roles import Cast, cast_scene, chain, passage
 from robolayout.planners._types import Group, PlanRequest
-from robolayout.planners._write import Writer, mentioned, wall_words
-from robolayout.planners.grouping import group_cast, root
-from robolayout.scene import Asset, Scene
+from robolayout.planners._write import Writer
+from robolayout.scene import Asset, Room, Scene, Wall
 
 
 class OfflinePlanner:
@@ -27,7 +26,7 @@ class OfflinePlanner:
         self.knowledge: Knowledge = load_knowledge(Path(path) for path in knowledge)
 
     def __repr__(self) -> str:
-        return f"<offline planner with {len(self.knowledge.roles)} roles in {len(self.knowledge.orders)} groups>"
+        return f"<offline planner with {len(self.knowledge.roles)} roles in {len(self.knowledge.groups)} groups>"
 
     def recognised(self, scene: Scene) -> Scene:
         """Return a scene whose assets of the user's own kinds say what they are like and from where they are used."""
@@ -41,44 +40,65 @@ class OfflinePlanner:
         return replace(asset, like=found.like, use_sides=sides, parts=asset.parts or found.parts)
 
     def group(self, scene: Scene) -> tuple[Group, ...]:
-        """Return all assets in groups, structural first, decorative last."""
-        return group_cast(cast_scene(scene, self.knowledge), self.knowledge)
+        """Return all assets in groups, structural first, decorative last.
+
+        What joins another thing belongs to that thing's group, so that a night stand is never planned before its bed.
+        """
+        cast = cast_scene(scene, self.knowledge)
+        members: dict[str, list[str]] = {}
+        for name in sorted(cast, key=lambda n: _owner(n, cast).role.rank):
+            members.setdefault(_owner(name, cast).role.group, []).append(name)
+        heads = sorted((self.knowledge.groups[label] for label in members), key=lambda head: (head.order, head.label))
+        return tuple(_group(head, members[head.label], cast) for head in heads)
 
     def plan(self, request: PlanRequest) -> str:
         """Return program text for the request: statements and wishes; where things stand is left to the solver."""
         scene, known = request.scene, set(request.placed or ())
         cast = join_as_asked(cast_scene(scene, self.knowledge), request.asked, passage(scene))
         about = set(request.group.items) if request.group else set(cast)
-        writer = Writer(
-            scene,
-            cast,
-            frozenset(name for demand in request.asked for name in subjects(demand)),
-            frozenset(name for demand in request.asked for name in cornered(demand)),
-        )
-        text = ["# Walls: " + "; ".join(wall_words(wall, scene) for wall in scene.room.walls)]
+        placed, alone = (frozenset[str]().union(*map(of, request.asked)) for of in (subjects, cornered))
+        writer = Writer(scene, cast, placed, alone)
+        text = ["# Walls: " + "; ".join(_wall(wall, scene.room) for wall in scene.room.walls)]
         asked = asked_lines(scene, request.asked, about | known)
         label, told, topics = "", set[str](), set(map(_topic, asked))
         for name in (name for name in writer.order() if name in about - known):
-            role = cast[root(cast, name)].role
+            role = _owner(name, cast).role
             if role.group != label:
                 label = role.group
-                why = "" if label in told else f": {_one_line(self.knowledge.reasons[label])}"
+                why = "" if label in told else f": {_one_line(self.knowledge.groups[label].why)}"
                 text += ["", f"# {_one_line(label)}{why}"]
                 told.add(label)
             text += [f"{line}  # asked by the user" for line, subject in asked.items() if subject == name]
-            own = (line.text for line in mentioned(list(writer.lines(name)), about, known))
-            text += [_wished(line) if _topic(line) in topics else line for line in own if line not in asked]
+            lines = (
+                line for line in writer.lines(name) if about.intersection(line.names) and {*line.names} <= about | known
+            )
+            for line in (line.text for line in lines if line.text not in asked):
+                # what the user asks for in other figures is only wished for
+                text.append(line.replace("solver.", "solver.wish.", 1) if _topic(line) in topics else line)
         return "\n".join(text) + "\n"
+
+
+def _owner(name: str, cast: Mapping[str, Cast]) -> Cast:
+    """Return what an asset stands at in the end: itself, or the last of the things that it joins."""
+    return cast[chain(name, cast)[-1]]
+
+
+def _group(head: Head, names: Iterable[str], cast: Mapping[str, Cast]) -> Group:
+    items = sorted(names, key=lambda n: (len(chain(n, cast)), cast[n].role.rank))
+    relations = (f"{n} {SLOTS[cast[n].join.slot]} {cast[n].anchor}" for n in items if cast[n].anchor)
+    return Group(head.label, head.why, tuple(items), tuple(relations))
+
+
+def _wall(wall: Wall, room: Room) -> str:
+    """Return a wall in words for a comment: its number, length and openings."""
+    openings = (("door", room.doors), ("window", room.windows))
+    extras = [word for word, there in openings if any(one.wall == wall.index for one in there)]
+    return f"walls[{wall.index}], {wall.length:.2f} m" + (f", with {' and '.join(extras)}" if extras else "")
 
 
 def _topic(line: str) -> str:
     """Return relation and first two arguments of a line: what a program may demand once."""
     return ",".join(line.split(",")[:2]).rstrip(")")
-
-
-def _wished(line: str) -> str:
-    """Return as a wish what the user asks for in other figures."""
-    return line.replace("solver.", "solver.wish.", 1)
 
 
 def _one_line(text: str) -> str:
