@@ -10,7 +10,7 @@ import pytest
 
 from robolayout.assets import CATALOGUE
 from robolayout.export import Options, procthor
-from robolayout.export._thor import as_in_thor, catalogue, nearest, thor_type
+from robolayout.export.procthor import as_in_thor, catalogue, nearest, thor_type
 from robolayout.scene import Asset, Layout, Opening, Pose, Room, Scene
 
 

@@ -17,7 +17,17 @@ import numpy as np
 from robolayout.assets import Joint, Material, Part, category_of, prisms_of, room_parts, turned
 from robolayout.assets.mass import part_masses
 from robolayout.assets.shapes import prism
-from robolayout.export._exporter import Options, covers, free_name, is_movable, is_trim, kind_name, mass, placed
+from robolayout.export._exporter import (
+    Options,
+    covers,
+    free_name,
+    is_movable,
+    is_trim,
+    kind_name,
+    mass,
+    placed,
+    seen_from,
+)
 from robolayout.export._mesh import Box, FloatArray, as_box, numbers, obj, roll_pitch_yaw, volume
 from robolayout.export._rugs import laid_parts
 from robolayout.scene import Asset, Layout, Pose, Room, Scene, vertical_span
@@ -63,7 +73,7 @@ class Shape:
     @cached_property
     def data(self) -> bytes:
         """Its mesh as a file."""
-        return obj(self.part)
+        return obj(self.part.vertices, self.part.faces)
 
     @cached_property
     def mesh(self) -> str:
@@ -139,10 +149,11 @@ class Thing:
         """A name for all things that are alike: what they are and a digest."""
         shapes = [shape for link in self.links for shape in link.shapes]
         hidden = [(box.center.tolist(), box.half.tolist()) for s in shapes if not s.seen and (box := s.box) is not None]
-        asset, facts = self.asset, (self.friction, self.free, [shape.mass for shape in shapes], hidden)
-        if asset is None:
-            return kind_name("room", [shape.part for shape in shapes], *facts)
-        return kind_name(category_of(asset).name, [shape.part for shape in shapes], asset.category, asset.size, *facts)
+        facts = (self.friction, self.free, [shape.mass for shape in shapes], hidden)
+        name, said = "room", ()
+        if self.asset is not None:
+            name, said = category_of(self.asset).name, (self.asset.category, self.asset.size)
+        return kind_name(name, [shape.part for shape in shapes], *said, *facts)
 
     @property
     def folder(self) -> str:
@@ -260,12 +271,11 @@ def _footed(part: Part, bottom: float) -> Part:
 def _patches(rug: Asset, scene: Scene, layout: Layout) -> Iterator[Box]:
     """Yield where a rug is touched, in its frame: under what stands on its top; furniture stands through it."""
     place = layout[rug.name]
-    (cosine, sine), top = place.forward, vertical_span(rug, place)[1]
+    top = vertical_span(rug, place)[1]
     for asset, pose in placed(scene, layout):
         gap = abs(vertical_span(asset, pose)[0] - top)
         if not asset.is_flat and gap < BODIES.on_rug and covers(place, rug, pose):
-            dx, dy, turn = pose.x - place.x, pose.y - place.y, pose.yaw - place.yaw
             half = np.array([asset.size[0] / 2, asset.size[1] / 2, max(rug.size[2] / 2, BODIES.thinnest)])
-            a, b = math.cos(turn), math.sin(turn)
+            a, b = math.cos(pose.yaw - place.yaw), math.sin(pose.yaw - place.yaw)
             axes = np.array([[a, -b, 0.0], [b, a, 0.0], [0.0, 0.0, 1.0]])
-            yield Box(np.array([cosine * dx + sine * dy, cosine * dy - sine * dx, 0.0]), half, axes)
+            yield Box(np.array([*seen_from(place, pose), 0.0]), half, axes)

@@ -162,11 +162,16 @@ def supporter(asset: Asset, scene: Scene, layout: Layout, *, tolerance: float = 
     return min(found)[1] if found and asset.on_object else None
 
 
+def seen_from(place: Pose, pose: Pose) -> Point:
+    """Return how many metres ahead of one pose and to its left another is."""
+    (cosine, sine), dx, dy = place.forward, pose.x - place.x, pose.y - place.y
+    return (cosine * dx + sine * dy, cosine * dy - sine * dx)
+
+
 def covers(place: Pose, other: Asset, pose: Pose) -> bool:
     """Return whether the centre of `pose` is over the footprint of `other` at `place`."""
-    cosine, sine = place.forward
-    dx, dy = pose.x - place.x, pose.y - place.y
-    return abs(cosine * dx + sine * dy) <= other.size[0] / 2 and abs(cosine * dy - sine * dx) <= other.size[1] / 2
+    ahead, left = seen_from(place, pose)
+    return abs(ahead) <= other.size[0] / 2 and abs(left) <= other.size[1] / 2
 
 
 def dump_json(content: object) -> bytes:
@@ -186,8 +191,7 @@ def reader(what: str) -> Callable[[Callable[[bytes], Rows]], Read]:
                 )
             try:
                 found = _contents(rows(data))
-                poses = found.layout.items()
-                astray = [n for n, p in poses if not p.is_finite]
+                astray = [name for name, pose in found.layout.items() if not pose.is_finite]
             except Unreadable as error:
                 raise LayoutError(f"this {what} {error}. Was the file written to its end?") from error
             except _ASTRAY as error:

@@ -211,8 +211,8 @@ def roll_pitch_yaw(rotation: FloatArray) -> tuple[float, float, float]:
     return (roll, pitch, math.atan2(float(rotation[1, 0]), float(rotation[0, 0])))
 
 
-def obj(part: Part) -> bytes:
-    """Return a part as a Wavefront OBJ file, without a look."""
-    lines = [f"v {numbers(point)}" for point in part.vertices.tolist()]
-    lines += [f"f {a} {b} {c}" for a, b, c in (part.faces + 1).tolist()]
+def obj(vertices: FloatArray, faces: NDArray[np.int32]) -> bytes:
+    """Return triangles as a Wavefront OBJ file, without a look."""
+    lines = [f"v {numbers(point)}" for point in vertices.tolist()]
+    lines += [f"f {a} {b} {c}" for a, b, c in (faces + 1).tolist()]
     return "\n".join([*lines, ""]).encode()

@@ -8,17 +8,14 @@ from importlib.util import find_spec
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from robolayout._errors import MissingExtraError
 from robolayout.export._bodies import BODIES
+from robolayout.export._mesh import FloatArray as FloatArray
 from robolayout.export.mjcf import BASE
 from robolayout.scene import Agent
 
 ROOM_BODY = 1  # the room's body in a model: the first after the world
-
-
-FloatArray = NDArray[np.float64]
 
 
 def check_simulator() -> None:

@@ -10,11 +10,13 @@ from __future__ import annotations
 import hashlib
 import math
 import tempfile
+from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 from pxr import Gf, Kind, Sdf, Tf, Usd, UsdGeom, UsdLux, UsdPhysics, UsdSemantics, UsdShade, Vt
 
 from robolayout._text import xml
@@ -22,12 +24,13 @@ from robolayout.assets import Joint, Material, Part, category_of
 from robolayout.assets.textures import media_type, picture
 from robolayout.export._bodies import BODIES, Link, Thing, things
 from robolayout.export._exporter import Options, Rows, unique
-from robolayout.export._mesh import Box, Surface, base_color, linear, quaternion, welded
+from robolayout.export._mesh import Box, FloatArray, Surface, base_color, linear, quaternion, welded
 from robolayout.export._scenery import SCENERY, lamp, overview
 from robolayout.scene import Asset, Layout, Pose, Room, Scene
 
 WORLD, ROOM, ASSETS, ROUTES = "/World", "/World/Room", "/World/Assets", "/World/Routes"
 THING, SHAPES = "/Thing", "/Shapes"
+Types = Sdf.ValueTypeNames
 DOORS = "doors"  # variant set of what has joints: "shut", "open", and "drawn" where it is drawn half-open
 
 
@@ -64,10 +67,10 @@ def _described(prim: Any, asset: Asset, *, movable: bool) -> None:
     name = xml(asset.name)
     prim.SetDisplayName(name)
     prim.SetDocumentation(xml(asset.description) or xml(asset.category))
-    _custom(prim, "name", Sdf.ValueTypeNames.String, name)
-    _custom(prim, "category", Sdf.ValueTypeNames.String, xml(asset.category))
-    _custom(prim, "size", Sdf.ValueTypeNames.Double3, Gf.Vec3d(*asset.size))
-    _custom(prim, "movable", Sdf.ValueTypeNames.Bool, movable)
+    _custom(prim, "name", Types.String, name)
+    _custom(prim, "category", Types.String, xml(asset.category))
+    _custom(prim, "size", Types.Double3, Gf.Vec3d(*asset.size))
+    _custom(prim, "movable", Types.Bool, movable)
     UsdSemantics.LabelsAPI.Apply(prim, "instance").CreateLabelsAttr([name])
 
 
@@ -186,7 +189,8 @@ class _KindLayer:
         states = {"shut": 0, "open": 1}
         if any(joint.span[0] for joint in links):
             states = {"drawn": -1, **states}
-        places = {joint: _place(link) for joint, link in links.items()}
+        forms = {joint: UsdGeom.Xformable(link) for joint, link in links.items()}
+        places = {joint: (form.AddTranslateOp(), form.AddOrientOp()) for joint, form in forms.items()}
         variants = self.stage.GetPrimAtPath(THING).GetVariantSets().AddVariantSet(DOORS)
         for name, end in states.items():
             variants.AddVariant(name)
@@ -234,43 +238,45 @@ class _KindLayer:
         if (folder, material) in self.looks:
             return self.looks[folder, material]
         look = self.looks[folder, material] = self.material(folder, material.name)
-        path = look.GetPath()
-        shader = UsdShade.Shader.Define(self.stage, f"{path}/Surface")
-        shader.CreateIdAttr("UsdPreviewSurface")
-        for name, kind, value in (
-            ("diffuseColor", Sdf.ValueTypeNames.Color3f, Gf.Vec3f(*linear(material.color))),
-            ("roughness", Sdf.ValueTypeNames.Float, material.roughness),
-            ("metallic", Sdf.ValueTypeNames.Float, material.metallic),
-            ("opacity", Sdf.ValueTypeNames.Float, material.opacity),
-        ):
-            shader.CreateInput(name, kind).Set(value)
+        path, color = look.GetPath(), linear(material.color)
+        inputs = {
+            "diffuseColor": (Types.Color3f, Gf.Vec3f(*color)),
+            "roughness": (Types.Float, material.roughness),
+            "metallic": (Types.Float, material.metallic),
+            "opacity": (Types.Float, material.opacity),
+        }
         if material.glow:
-            emitted = Gf.Vec3f(*(channel * material.glow for channel in linear(material.color)))
-            shader.CreateInput("emissiveColor", Sdf.ValueTypeNames.Color3f).Set(emitted)
+            inputs["emissiveColor"] = (Types.Color3f, Gf.Vec3f(*(channel * material.glow for channel in color)))
+        shader = self.shader(f"{path}/Surface", "UsdPreviewSurface", inputs)
         if material.texture is not None:
-            self.textured(path, material, shader)
+            self.textured(path, material, material.texture, shader)
         look.CreateSurfaceOutput().ConnectToSource(shader.ConnectableAPI(), "surface")
         return look
 
-    def textured(self, path: str, material: Material, shader: Any) -> None:
+    def shader(self, path: str, kind: str, inputs: Mapping[str, tuple[Any, object]]) -> Any:
+        """Return a new shader; an input is a type and a value."""
+        made = UsdShade.Shader.Define(self.stage, path)
+        made.CreateIdAttr(kind)
+        for name, (of, value) in inputs.items():
+            made.CreateInput(name, of).Set(value)
+        return made
+
+    def textured(self, path: str, material: Material, texture: str | bytes, shader: Any) -> None:
         """Let a look's colour come from its texture, and keep that picture."""
-        data = picture(material.texture or b"")
+        data = picture(texture)
         name = f"textures/{hashlib.sha256(data).hexdigest()[:16]}.{media_type(data).partition('/')[2]}"
         self.files[f"things/{name}"] = data
-        place = UsdShade.Shader.Define(self.stage, f"{path}/Place")
-        place.CreateIdAttr("UsdPrimvarReader_float2")
-        place.CreateInput("varname", Sdf.ValueTypeNames.String).Set("st")
-        found = UsdShade.Shader.Define(self.stage, f"{path}/Texture")
-        found.CreateIdAttr("UsdUVTexture")
-        found.CreateInput("file", Sdf.ValueTypeNames.Asset).Set(Sdf.AssetPath(f"./{name}"))
-        found.CreateInput("sourceColorSpace", Sdf.ValueTypeNames.Token).Set("sRGB")
-        found.CreateInput("scale", Sdf.ValueTypeNames.Float4).Set(Gf.Vec4f(*base_color(material), 1.0))
-        for side in ("wrapS", "wrapT"):
-            found.CreateInput(side, Sdf.ValueTypeNames.Token).Set("repeat")
-        result = place.CreateOutput("result", Sdf.ValueTypeNames.Float2)
-        found.CreateInput("st", Sdf.ValueTypeNames.Float2).ConnectToSource(result)
-        color = found.CreateOutput("rgb", Sdf.ValueTypeNames.Float3)
-        shader.GetInput("diffuseColor").ConnectToSource(color)
+        place = self.shader(f"{path}/Place", "UsdPrimvarReader_float2", {"varname": (Types.String, "st")})
+        inputs = {
+            "file": (Types.Asset, Sdf.AssetPath(f"./{name}")),
+            "sourceColorSpace": (Types.Token, "sRGB"),
+            "scale": (Types.Float4, Gf.Vec4f(*base_color(material), 1.0)),
+            "wrapS": (Types.Token, "repeat"),
+            "wrapT": (Types.Token, "repeat"),
+        }
+        found = self.shader(f"{path}/Texture", "UsdUVTexture", inputs)
+        found.CreateInput("st", Types.Float2).ConnectToSource(place.CreateOutput("result", Types.Float2))
+        shader.GetInput("diffuseColor").ConnectToSource(found.CreateOutput("rgb", Types.Float3))
 
     def friction(self, folder: str, value: float) -> Any:
         """Return a new physics material with a friction coefficient."""
@@ -284,9 +290,7 @@ class _KindLayer:
 
 def _cube(stage: Any, path: str, box: Box) -> Any:
     cube = UsdGeom.Cube.Define(stage, path)
-    place = np.eye(4)
-    place[:3, :3], place[3, :3] = np.diag(box.half) @ box.rotation.T, box.center
-    cube.AddTransformOp().Set(Gf.Matrix4d(place.tolist()))
+    _put(cube, np.diag(box.half) @ box.rotation.T, box.center)
     return cube.GetPrim()
 
 
@@ -302,7 +306,7 @@ def _mesh(stage: Any, path: str, surface: Surface, part: Part) -> Any:
     mesh.CreateExtentAttr(UsdGeom.PointBased.ComputeExtent(points))
     mesh.CreateDoubleSidedAttr(not part.convex)
     if part.material.texture is not None:
-        kind = Sdf.ValueTypeNames.TexCoord2fArray
+        kind = Types.TexCoord2fArray
         places = UsdGeom.PrimvarsAPI(mesh).CreatePrimvar("st", kind, UsdGeom.Tokens.faceVarying)
         places.Set(Vt.Vec2fArray.FromNumpy((surface.uvs * (1, -1) + (0, 1)).astype(np.float32)))
     return mesh.GetPrim()
@@ -332,10 +336,11 @@ def _connect(made: Any, still: Any, moving: Any, joint: Joint | None = None) -> 
     made.CreateLocalRot1Attr(turn)
 
 
-def _place(link: Any) -> tuple[Any, Any]:
-    """Return the operations that say where a link is."""
-    form = UsdGeom.Xformable(link)
-    return form.AddTranslateOp(), form.AddOrientOp()
+def _put(prim: Any, turn: FloatArray, at: ArrayLike) -> None:
+    """Place a prim: the rows of `turn` (3, 3) are its axes, scaled."""
+    place = np.eye(4)
+    place[:3, :3], place[3, :3] = turn, at
+    prim.AddTransformOp().Set(Gf.Matrix4d(place.tolist()))
 
 
 def _camera(stage: Any, room: Room) -> None:
@@ -345,9 +350,7 @@ def _camera(stage: Any, room: Room) -> None:
     height = camera.GetVerticalApertureAttr().Get()
     camera.GetHorizontalApertureAttr().Set(height * SCENERY.aspect)
     camera.GetFocalLengthAttr().Set(height / 2 / math.tan(SCENERY.field / 2))
-    matrix = np.eye(4)
-    matrix[:3, :3], matrix[3, :3] = view.rotation.T, view.position
-    camera.AddTransformOp().Set(Gf.Matrix4d(matrix.tolist()))
+    _put(camera, view.rotation.T, view.position)
 
 
 def _custom(prim: Any, name: str, kind: Any, value: object) -> None:
@@ -360,7 +363,7 @@ def _routes(stage: Any, options: Options) -> None:
         return
     scope = UsdGeom.Scope.Define(stage, ROUTES).GetPrim()
     if options.agent is not None:
-        _custom(scope, "agent", Sdf.ValueTypeNames.String, xml(options.agent.name))
+        _custom(scope, "agent", Types.String, xml(options.agent.name))
     taken: set[str] = set()
     for name, line in options.routes.items():
         if len(line) < 2:
@@ -374,7 +377,7 @@ def _routes(stage: Any, options: Options) -> None:
         curve.SetWidthsInterpolation(UsdGeom.Tokens.constant)
         curve.CreateExtentAttr(UsdGeom.Curves.ComputeExtent(points, Vt.FloatArray([SCENERY.route_width])))
         curve.CreatePurposeAttr(UsdGeom.Tokens.guide)
-        _custom(curve.GetPrim(), "name", Sdf.ValueTypeNames.String, xml(name))
+        _custom(curve.GetPrim(), "name", Types.String, xml(name))
 
 
 def assets_of(path: Path) -> Rows:

@@ -7,22 +7,20 @@ actuator whose control is how far it is to be from that. It collides with the ro
 from __future__ import annotations
 
 import xml.etree.ElementTree as ET
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from robolayout._reading import show
 from robolayout.export._bodies import BODIES
-from robolayout.export._mesh import numbers
+from robolayout.export._mesh import FloatArray, numbers, obj
 from robolayout.export._mujoco import simulator
+from robolayout.export.mjcf import section
 from robolayout.scene import Agent, Figure
 from robolayout.scene._model import Model
-
-Matrix = NDArray[np.float64]
 
 PACE = 18.0  # radians per second at which a held joint swings back, without swinging over (that of the base)
 
@@ -30,6 +28,9 @@ MESHES, PICTURES = (".stl", ".obj", ".msh"), (".png",)  # kinds of file that MuJ
 
 THICK = 5e-4 * np.array([[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)])
 """Metres by which the corners of a flat mesh are moved."""
+
+ITS_OWN = ("compiler", "option", "size", "statistic", "visual", "worldbody", "keyframe", "sensor")
+"""Sections of a robot's model that a room has its own of."""
 
 INERTIA = ("ixx", "ixy", "ixz", "iyy", "iyz", "izz")
 FOLDER = "models/agent"
@@ -41,10 +42,10 @@ COMPILER = {"fusestatic": "false", "discardvisual": "true", "strippath": "false"
 class Whole:
     """What a robot adds to a model."""
 
-    root: ET.Element  # a model of its own, whose sections are to be added
-    body: ET.Element  # the body in it that stands on the base
+    sections: tuple[ET.Element, ...]  # sections of a model, whose elements are to be added
+    body: ET.Element  # the body that stands on the base
     home: tuple[float, ...]  # values of its joints, in order
-    files: Mapping[str, tuple[str, bytes]]  # path and content, by path
+    files: Mapping[str, bytes]  # by path
 
 
 def whole(agent: Agent, figure: Figure, own: str) -> Whole:
@@ -67,8 +68,8 @@ def whole(agent: Agent, figure: Figure, own: str) -> Whole:
     for foot in _feet(compiled, data, agent.step):
         ET.SubElement(section(root, "contact"), "exclude", body1="world", body2=foot)
     _hold(mujoco, compiled, data, section(root, "actuator"))
-    top = next(root.iter("body"))
-    return Whole(root, top, tuple(data.qpos.tolist()), {path: (path, content) for path, content in files.items()})
+    added = tuple(part for part in root if part.tag not in ITS_OWN)
+    return Whole(added, next(root.iter("body")), tuple(data.qpos.tolist()), files)
 
 
 def _feet(compiled: Any, data: Any, step: float) -> list[str]:
@@ -167,7 +168,7 @@ def _weigh(inertial: ET.Element, model: Model) -> None:
         inertia.attrib.update({key: ball if key[1] == key[2] else "0" for key in INERTIA})
 
 
-def _hull(points: Matrix) -> bytes:
+def _hull(points: FloatArray) -> bytes:
     """Return the convex hull of points (n, 3) as a Wavefront OBJ file; what is flat gets a millimetre of thickness."""
     from scipy.spatial import ConvexHull, QhullError
 
@@ -176,14 +177,12 @@ def _hull(points: Matrix) -> bytes:
     except QhullError:
         points = np.concatenate([points + offset for offset in THICK])
         hull = ConvexHull(points)
-    place = {int(corner): number for number, corner in enumerate(hull.vertices, 1)}
-    middle = points[hull.vertices].mean(axis=0)
-    lines = [f"v {numbers(point)}" for point in points[hull.vertices].tolist()]
-    for corners in hull.simplices:
-        a, b, c = points[corners]
-        out = float(np.cross(b - a, c - a) @ (a - middle)) > 0
-        lines.append("f " + " ".join(str(place[int(k)]) for k in (corners if out else corners[::-1])))
-    return "\n".join([*lines, ""]).encode()
+    places = np.zeros(len(points), np.int32)
+    places[hull.vertices] = np.arange(len(hull.vertices))
+    corners, faces = points[hull.vertices], places[hull.simplices]
+    a, b, c = corners[faces].transpose(1, 0, 2)
+    outward = (np.cross(b - a, c - a) * (a - corners.mean(axis=0))).sum(axis=1) > 0
+    return obj(corners, np.where(outward[:, None], faces, faces[:, ::-1]))
 
 
 def _posed(compiled: Any, data: Any, body: ET.Element) -> None:
@@ -220,16 +219,3 @@ def _hold(mujoco: Any, compiled: Any, data: Any, actuators: ET.Element) -> None:
         bias = f"{stiff * value:.17g} {-stiff:.17g} {-damping:.17g}"
         drive = {"gaintype": "fixed", "biastype": "affine", "gainprm": f"{stiff:.17g}", "biasprm": bias}
         ET.SubElement(actuators, "general", {"name": name, "joint": name, **drive})
-
-
-def section(root: ET.Element, tag: str) -> ET.Element:
-    """Return a section of a model, which is added where it has none."""
-    found = root.find(tag)
-    return ET.SubElement(root, tag) if found is None else found
-
-
-def sections(found: Whole) -> Iterator[tuple[str, list[ET.Element]]]:
-    """Yield what is to be added to a model, by the name of its section."""
-    for part in found.root:
-        if part.tag not in ("compiler", "option", "size", "statistic", "visual", "worldbody", "keyframe", "sensor"):
-            yield part.tag, list(part)

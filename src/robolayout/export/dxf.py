@@ -46,27 +46,22 @@ def write(scene: Scene, layout: Layout, options: Options) -> bytes:
     rows = placed(scene, layout)
     names = [re.sub(r"[^A-Z0-9_]", "_", asset.name.upper())[:20] for asset, _ in rows]
     blocks = {asset.name: f"A{i}_{names[i]}" for i, (asset, _) in enumerate(rows)}
-    groups: list[Group] = [(0, "SECTION"), (2, "HEADER"), (9, "$ACADVER"), (1, "AC1009")]
-    groups += [
-        (9, "$INSUNITS"),
-        (70, 6),
-        (9, "$MEASUREMENT"),
-        (70, 1),
-        *_extents(scene.room),
-        (0, "ENDSEC"),
-        *_tables(),
-    ]
-    groups += [(0, "SECTION"), (2, "BLOCKS")]
-    for asset, _ in rows:
-        groups += _block(blocks[asset.name], asset)
-    groups += [(0, "ENDSEC"), (0, "SECTION"), (2, "ENTITIES"), *_room(scene.room)]
+    entities = _room(scene.room)
     for name, line in options.routes.items():
         if len(line) > 1 and name in layout:
-            groups += _polyline("ROUTES", line)
+            entities += _polyline("ROUTES", line)
     for asset, pose in rows:
-        groups += _insert(blocks[asset.name], asset, pose) + _name(asset, pose)
-    groups += [(0, "ENDSEC"), (0, "EOF")]
-    return "".join(f"{code:>3}\r\n{_text(value)}\r\n" for code, value in groups).encode("ascii")
+        entities += _insert(blocks[asset.name], asset, pose) + _name(asset, pose)
+    sections = {
+        "HEADER": _header(scene.room),
+        "TABLES": _tables(),
+        "BLOCKS": [group for asset, _ in rows for group in _block(blocks[asset.name], asset)],
+        "ENTITIES": entities,
+    }
+    groups: list[Group] = []
+    for name, content in sections.items():
+        groups += [(0, "SECTION"), (2, name), *content, (0, "ENDSEC")]
+    return "".join(f"{code:>3}\r\n{_text(value)}\r\n" for code, value in [*groups, (0, "EOF")]).encode("ascii")
 
 
 def _text(value: object) -> str:
@@ -83,21 +78,22 @@ def _plain(text: str) -> str:
     return whole.encode("utf-16-be", "surrogatepass").decode("utf-16-be", "replace")
 
 
-def _extents(room: Room) -> list[Group]:
-    """Return the header's corners of the drawing."""
-    low_x, low_y, high_x, high_y = room.bounds
-    low: list[Group] = [(9, "$EXTMIN"), (10, low_x - 0.5), (20, low_y - 0.5), (30, 0.0)]
-    return [*low, (9, "$EXTMAX"), (10, high_x + 0.5), (20, high_y + 0.5), (30, 0.0)]
+def _header(room: Room) -> list[Group]:
+    """Return the release, the units (metres), and the corners of the drawing."""
+    x0, y0, x1, y1 = room.bounds
+    groups: list[Group] = [(9, "$ACADVER"), (1, "AC1009"), (9, "$INSUNITS"), (70, 6), (9, "$MEASUREMENT"), (70, 1)]
+    groups += [(9, "$EXTMIN"), (10, x0 - 0.5), (20, y0 - 0.5), (30, 0.0)]
+    return [*groups, (9, "$EXTMAX"), (10, x1 + 0.5), (20, y1 + 0.5), (30, 0.0)]
 
 
 def _tables() -> list[Group]:
-    groups: list[Group] = [(0, "SECTION"), (2, "TABLES"), (0, "TABLE"), (2, "LTYPE"), (70, 1), (0, "LTYPE")]
-    groups += [(2, "CONTINUOUS"), (70, 0), (3, "Solid line"), (72, 65), (73, 0), (40, 0.0), (0, "ENDTAB")]
+    groups: list[Group] = [(0, "TABLE"), (2, "LTYPE"), (70, 1), (0, "LTYPE"), (2, "CONTINUOUS"), (70, 0)]
+    groups += [(3, "Solid line"), (72, 65), (73, 0), (40, 0.0), (0, "ENDTAB")]
     groups += [(0, "TABLE"), (2, "LAYER"), (70, len(LAYERS))]
     for name, color in LAYERS.items():
         groups += [(0, "LAYER"), (2, name), (70, 0), (62, color), (6, "CONTINUOUS")]
     groups += [(0, "ENDTAB"), (0, "TABLE"), (2, "APPID"), (70, 1), (0, "APPID"), (2, APPLICATION), (70, 0)]
-    return [*groups, (0, "ENDTAB"), (0, "ENDSEC")]
+    return [*groups, (0, "ENDTAB")]
 
 
 def _polyline(layer: str, points: Iterable[Point], *, closed: bool = False) -> list[Group]:
@@ -156,8 +152,7 @@ def _room(room: Room) -> list[Group]:
         for start, end in _solid(wall.length, openings):
             far = outer[(wall.index + 1) % len(outer)] if end == wall.length else wall.point(end, -DRAWING.wall)
             near = outer[wall.index] if start == 0.0 else wall.point(start, -DRAWING.wall)
-            outline = (wall.point(start), wall.point(end), far, near)
-            groups += _polyline("WALLS", outline, closed=True)
+            groups += _polyline("WALLS", (wall.point(start), wall.point(end), far, near), closed=True)
     for door in room.doors:
         groups += _door(room, door)
     for window in room.windows:

@@ -10,9 +10,9 @@ from __future__ import annotations
 import json
 import math
 import struct
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import replace
-from typing import Any, cast
+from typing import cast
 
 import numpy as np
 from numpy.typing import NDArray
@@ -29,6 +29,9 @@ from robolayout.export._scenery import SCENERY, lamp, overview
 from robolayout.scene import Asset, Layout, Pose, Room, Scene
 
 MAGIC = b"glTF"
+LISTS = (
+    "nodes", "meshes", "materials", "textures", "images", "samplers", "cameras", "accessors", "bufferViews", "buffers",
+)  # fmt: skip
 
 FLOAT, UINT32 = 5126, 5125
 VERTICES, INDICES = 34962, 34963
@@ -40,157 +43,132 @@ BULB: Json = {"type": "point", "color": list(SCENERY.warm), "intensity": round(S
 
 
 class _Builder:
-    """Collects nodes, meshes and binary data; equal meshes are stored once."""
+    """Collects the lists of a document and its binary data; equal meshes, materials and textures are stored once."""
 
     def __init__(self) -> None:
-        self.nodes: list[Json] = []
-        self.meshes: list[Json] = []
-        self.materials: list[Json] = []
-        self.textures: list[Json] = []
-        self.images: list[Json] = []
-        self.accessors: list[Json] = []
-        self.views: list[Json] = []
+        self.lists: dict[str, list[Json]] = {name: [] for name in LISTS}
         self.blob = bytearray()
-        self.cameras: list[Json] = []
-        self.lit = False
         self._known: dict[object, int] = {}
 
-    def node(self, name: str, **content: object) -> int:
-        """Add a node; return its index."""
-        self.nodes.append({"name": name, **content})
-        return len(self.nodes) - 1
+    def add(self, kind: str, entry: Json) -> int:
+        """Add an entry to a list; return its index."""
+        self.lists[kind].append(entry)
+        return len(self.lists[kind]) - 1
+
+    def _once(self, kind: str, key: object, make: Callable[[], Json]) -> int:
+        """Return the index of what is known by a key, which is made and added if it is not there yet."""
+        if key not in self._known:
+            self._known[key] = self.add(kind, make())
+        return self._known[key]
 
     def object(self, name: str, pieces: tuple[Part, ...], **content: object) -> int:
         """Add a node with one child mesh per material, and a light if it is a lamp; return its index."""
         children = [
-            self.node(f"{name}.{material.name}", mesh=self._mesh(name, material, closed, shape))
-            for material, closed, shape in merged(pieces)
+            self.add(
+                "nodes", {"name": f"{name}.{look.name}", "mesh": self._mesh(f"{name}.{look.name}", look, closed, shape)}
+            )
+            for look, closed, shape in merged(pieces)
             if len(shape.indices)
         ]
         if (bulb := lamp(pieces)) is not None:
-            self.lit = True
-            light = {LIGHTS: {"light": 0}}
-            children.append(self.node(f"{name}.light", translation=list(bulb), extensions=light))
-        return self.node(name, **content, **({"children": children} if children else {}))
+            light: Json = {"name": f"{name}.light", "translation": list(bulb)}
+            children.append(self.add("nodes", {**light, "extensions": {LIGHTS: {"light": 0}}}))
+        return self.add("nodes", {"name": name, **content, **({"children": children} if children else {})})
 
     def camera(self, room: Room) -> int:
         """Add a camera that sees the whole room; return its node's index."""
-        self.cameras.append(
-            {
-                "type": "perspective",
-                "perspective": {"yfov": SCENERY.field, "aspectRatio": SCENERY.aspect, "znear": 0.05},
-            }
-        )
+        lens: Json = {"yfov": SCENERY.field, "aspectRatio": SCENERY.aspect, "znear": 0.05}
+        number = self.add("cameras", {"type": "perspective", "perspective": lens})
         view = overview(room)
         w, x, y, z = quaternion(view.rotation)
-        return self.node("camera", camera=0, translation=list(view.position), rotation=[x, y, z, w])
+        place: Json = {"translation": list(view.position), "rotation": [x, y, z, w]}
+        return self.add("nodes", {"name": "camera", "camera": number, **place})
 
     def _mesh(self, name: str, material: Material, closed: bool, shape: Surface) -> int:
         arrays = (shape.positions, shape.normals, shape.indices, shape.uvs)
         key = (material, closed, *(array.tobytes() for array in arrays))
-        if key not in self._known:
-            self.meshes.append(
-                {"name": f"{name}.{material.name}", "primitives": [self.primitive(material, closed, shape)]}
-            )
-            self._known[key] = len(self.meshes) - 1
-        return self._known[key]
+        return self._once(
+            "meshes", key, lambda: {"name": name, "primitives": [self.primitive(material, closed, shape)]}
+        )
 
     def primitive(self, material: Material, closed: bool, shape: Surface) -> Json:
         """Add a surface of one material; return what a mesh says of it."""
-        attributes = {
-            "POSITION": self._accessor(shape.positions.astype("<f4"), VERTICES),
-            "NORMAL": self._accessor(shape.normals.astype("<f4"), VERTICES),
-        }
+        vertices = {"POSITION": shape.positions, "NORMAL": shape.normals}
         if material.texture is not None:
-            attributes["TEXCOORD_0"] = self._accessor(shape.uvs.astype("<f4"), VERTICES)
-        indices = self._accessor(shape.indices.reshape(-1).astype("<u4"), INDICES)
-        return {"attributes": attributes, "indices": indices, "material": self._material(material, closed)}
+            vertices["TEXCOORD_0"] = shape.uvs
+        attributes = {name: self._vertices(array.astype("<f4")) for name, array in vertices.items()}
+        corners = shape.indices.reshape(-1).astype("<u4")
+        view = self._view(corners.tobytes(), target=INDICES)
+        indices: Json = {"bufferView": view, "count": len(corners), "componentType": UINT32, "type": "SCALAR"}
+        return {
+            "attributes": attributes,
+            "indices": self.add("accessors", indices),
+            "material": self._once("materials", (material, closed), lambda: self._material(material, closed)),
+        }
 
-    def _material(self, material: Material, closed: bool) -> int:
-        key = (material, closed)
-        if key not in self._known:
-            entry: dict[str, Any] = {
-                "name": material.name,
-                "pbrMetallicRoughness": {
-                    "baseColorFactor": [*(round(c, 6) for c in base_color(material)), material.opacity],
-                    "metallicFactor": material.metallic,
-                    "roughnessFactor": material.roughness,
-                },
-            }
-            if material.texture is not None:
-                entry["pbrMetallicRoughness"]["baseColorTexture"] = {"index": self._texture(material.texture)}
-            if material.glow:
-                entry["emissiveFactor"] = [round(c * material.glow, 6) for c in linear(material.color)]
-            if material.opacity < 1:
-                entry["alphaMode"] = "BLEND"
-            if not closed:
-                entry["doubleSided"] = True
-            self.materials.append(entry)
-            self._known[key] = len(self.materials) - 1
-        return self._known[key]
+    def _material(self, material: Material, closed: bool) -> Json:
+        surface: Json = {
+            "baseColorFactor": [*(round(c, 6) for c in base_color(material)), material.opacity],
+            "metallicFactor": material.metallic,
+            "roughnessFactor": material.roughness,
+        }
+        entry: Json = {"name": material.name, "pbrMetallicRoughness": surface}
+        if (texture := material.texture) is not None:
+            surface["baseColorTexture"] = {"index": self._once("textures", texture, lambda: self._texture(texture))}
+        if material.glow:
+            entry["emissiveFactor"] = [round(c * material.glow, 6) for c in linear(material.color)]
+        if material.opacity < 1:
+            entry["alphaMode"] = "BLEND"
+        return entry if closed else {**entry, "doubleSided": True}
 
-    def _texture(self, texture: str | bytes) -> int:
-        if texture not in self._known:
-            data = picture(texture)
-            self.images.append({"bufferView": self._view(data), "mimeType": media_type(data)})
-            self.textures.append({"source": len(self.images) - 1, "sampler": 0})
-            self._known[texture] = len(self.textures) - 1
-        return self._known[texture]
+    def _texture(self, texture: str | bytes) -> Json:
+        self.lists["samplers"] = [REPEAT]
+        data = picture(texture)
+        image = self.add("images", {"bufferView": self._view(data), "mimeType": media_type(data)})
+        return {"source": image, "sampler": 0}
 
     def _view(self, data: bytes, **content: int) -> int:
         """Add bytes, padded to the four bytes that numbers need; return the index of their view."""
-        self.views.append({"buffer": 0, "byteOffset": len(self.blob), "byteLength": len(data), **content})
+        view: Json = {"buffer": 0, "byteOffset": len(self.blob), "byteLength": len(data), **content}
         self.blob += data + bytes(-len(data) % 4)
-        return len(self.views) - 1
+        return self.add("bufferViews", view)
 
-    def _accessor(self, array: NDArray[np.float32 | np.uint32], target: int) -> int:
-        entry: Json = {"bufferView": self._view(array.tobytes(), target=target), "count": len(array)}
-        if target == INDICES:
-            entry |= {"componentType": UINT32, "type": "SCALAR"}
-        else:
-            low, high = array.min(axis=0), array.max(axis=0)
-            kind = f"VEC{array.shape[1]}"
-            entry |= {"componentType": FLOAT, "type": kind, "min": low.tolist(), "max": high.tolist()}
-        self.accessors.append(entry)
-        return len(self.accessors) - 1
+    def _vertices(self, array: NDArray[np.float32]) -> int:
+        """Add what each vertex has (n, 2 or 3); return the index of its accessor."""
+        entry: Json = {"bufferView": self._view(array.tobytes(), target=VERTICES), "count": len(array)}
+        kind: Json = {"componentType": FLOAT, "type": f"VEC{array.shape[1]}"}
+        low, high = array.min(axis=0).tolist(), array.max(axis=0).tolist()
+        return self.add("accessors", {**entry, **kind, "min": low, "max": high})
 
-    def document(self, root: int) -> Json:
-        """Return the JSON of the whole file; empty lists are left out, as the format demands."""
-        lists: dict[str, list[Json]] = {
-            "meshes": self.meshes,
-            "materials": self.materials,
-            "textures": self.textures,
-            "images": self.images,
-            "samplers": [REPEAT] if self.textures else [],
-            "cameras": self.cameras,
-            "accessors": self.accessors,
-            "bufferViews": self.views,
-            "buffers": [{"byteLength": len(self.blob)}] if self.blob else [],
-        }
+    def packed(self, root: int) -> bytes:
+        """Return the whole file with its root node; empty lists are left out, as the format demands."""
         lights: Json = {LIGHTS: {"lights": [BULB]}}
-        return {
+        lit = any("extensions" in node for node in self.lists["nodes"])
+        self.lists["buffers"] = [{"byteLength": len(self.blob)}] if self.blob else []
+        document = {
             "asset": {"version": "2.0", "generator": f"robolayout {__version__}"},
-            **({"extensionsUsed": [LIGHTS], "extensions": lights} if self.lit else {}),
+            **({"extensionsUsed": [LIGHTS], "extensions": lights} if lit else {}),
             "scene": 0,
             "scenes": [{"nodes": [root]}],
-            "nodes": self.nodes,
-            **{name: entries for name, entries in lists.items() if entries},
+            **{name: entries for name, entries in self.lists.items() if entries},
         }
+        text = utf8(json.dumps(document, separators=(",", ":"), ensure_ascii=False, allow_nan=False))
+        chunks = _chunk(b"JSON", text, b" ") + (_chunk(b"BIN\0", bytes(self.blob), b"\0") if self.blob else b"")
+        return MAGIC + struct.pack("<II", 2, 12 + len(chunks)) + chunks
 
 
-def by_name(pieces: tuple[Part, ...]) -> dict[str, tuple[Part, ...]]:
-    """Return parts grouped by their name, in the order in which the names first appear."""
-    groups: dict[str, list[Part]] = {}
-    for part in pieces:
-        groups.setdefault(part.name, []).append(part)
-    return {name: tuple(group) for name, group in groups.items()}
+def _chunk(kind: bytes, data: bytes, filler: bytes) -> bytes:
+    """Return a chunk of a GLB file, padded to four bytes."""
+    padding = -len(data) % 4
+    return struct.pack("<I", len(data) + padding) + kind + data + filler * padding
 
 
 def write(scene: Scene, layout: Layout, options: Options) -> bytes:
     """Return the room and all placed assets as one GLB file."""
-    builder = _Builder()
-    room = [builder.object(name, pieces) for name, pieces in by_name(room_parts(scene.room, seed=options.seed)).items()]
-    children = [builder.node("room", children=room, extras={"kind": "room"})]
+    builder, shell = _Builder(), room_parts(scene.room, seed=options.seed)
+    names = dict.fromkeys(part.name for part in shell)
+    room = [builder.object(name, tuple(part for part in shell if part.name == name)) for name in names]
+    children = [builder.add("nodes", {"name": "room", "children": room, "extras": {"kind": "room"}})]
     for asset, pose in placed(scene, layout):
         half = pose.yaw / 2
         children.append(
@@ -209,32 +187,23 @@ def write(scene: Scene, layout: Layout, options: Options) -> bytes:
         extras["agent"] = options.agent.name
     if options.routes:
         extras["routes"] = {name: [list(point) for point in line] for name, line in options.routes.items()}
-    root = builder.node(scene.name, rotation=[-turn, 0.0, 0.0, turn], children=children, extras=extras)
-    return _packed(builder.document(root), bytes(builder.blob))
+    root: Json = {"name": scene.name, "rotation": [-turn, 0.0, 0.0, turn], "children": children, "extras": extras}
+    return builder.packed(builder.add("nodes", root))
 
 
 def asset_glb(asset: Asset, pieces: tuple[Part, ...]) -> bytes:
     """Return one asset alone, as a single mesh in glTF's own frame: y up, front along +z, origin in the middle of its box."""
     builder, known = _Builder(), facts(asset, movable=category_of(asset).movable)
     primitives = [builder.primitive(material, closed, _turned(shape)) for material, closed, shape in merged(pieces)]
-    builder.meshes.append({"name": asset.name, "primitives": primitives})
-    body = builder.node(asset.name, mesh=0, extras={"kind": "asset", **known})
-    return _packed(builder.document(body), bytes(builder.blob))
+    mesh = builder.add("meshes", {"name": asset.name, "primitives": primitives})
+    extras: Json = {"kind": "asset", **known}
+    return builder.packed(builder.add("nodes", {"name": asset.name, "mesh": mesh, "extras": extras}))
 
 
 def _turned(shape: Surface) -> Surface:
     """Return a surface in glTF's axes (front z, up y) instead of this package's (front x, up z)."""
     axes = [1, 2, 0]
     return replace(shape, positions=shape.positions[:, axes], normals=shape.normals[:, axes])
-
-
-def _packed(document: Json, blob: bytes) -> bytes:
-    """Return the two chunks of a GLB file, each padded to four bytes."""
-    text = utf8(json.dumps(document, separators=(",", ":"), ensure_ascii=False, allow_nan=False))
-    chunks = struct.pack("<II", len(text) + -len(text) % 4, 0x4E4F534A) + text + b" " * (-len(text) % 4)
-    if blob:
-        chunks += struct.pack("<II", len(blob) + -len(blob) % 4, 0x004E4942) + blob + b"\0" * (-len(blob) % 4)
-    return MAGIC + struct.pack("<II", 2, 12 + len(chunks)) + chunks
 
 
 def document(data: bytes) -> Json:

@@ -70,13 +70,8 @@ class Opened:
 def pull_open(scene: Scene, layout: Layout, agent: Agent, holds: Iterable[Hold]) -> Opened:
     """Open doors and drawers by their handles, each from the layout as it is, and report what is touched.
 
-    The doors of the room are pulled too, as by one who comes in: nobody is in the room.
-
-    Args:
-        scene: The scene.
-        layout: Where everything stands; movable furniture is free to be dragged along.
-        agent: The body.
-        holds: Where it stands for each, and what is moved away; what it finds no place for stays shut.
+    The doors of the room are pulled too, as by one who comes in: nobody is in the room. Movable furniture is free to be dragged
+    along. What the body finds no place to stand for (`holds`) stays shut.
 
     Raises:
         LayoutError: The layout does not fit the scene.
@@ -148,13 +143,6 @@ class _Hand:
         slower = ((self.span / seconds if share < PULL.stop else 0.0) - float(data.qvel[self._speed])) * lever
         force = float(np.clip(PULL.grip * behind + PULL.ease * slower, -PULL.most, PULL.most))
         data.qfrc_applied[:] = 0.0
-        simulator().mj_applyFT(
-            self._model,
-            data,
-            force * way / lever,
-            np.zeros(3),
-            data.site_xpos[self._site],
-            self.leaf,
-            data.qfrc_applied,
-        )
+        push, place = force * way / lever, data.site_xpos[self._site]
+        simulator().mj_applyFT(self._model, data, push, np.zeros(3), place, self.leaf, data.qfrc_applied)
         return force

@@ -12,7 +12,7 @@ from __future__ import annotations
 
 import math
 import xml.etree.ElementTree as ET
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -41,20 +41,46 @@ class BaseConfig:
 BASE = BaseConfig()
 
 
-@dataclass
-class _Model:
-    """An XML tree with its sections and what was defined so far."""
+EMPTY = """
+<mujoco>
+  <compiler angle="radian" autolimits="true" boundmass="1e-4" boundinertia="1e-7"/>
+  <option timestep="0.004" integrator="implicitfast" cone="elliptic" impratio="10" iterations="50" tolerance="1e-8"/>
+  <statistic extent="6"/>
+  <visual><headlight ambient="0.4 0.4 0.4" diffuse="0.2 0.2 0.2" specular="0.05 0.05 0.05"/></visual>
+  <default>
+    <default class="solid"><geom condim="4" solref="0.02 1" solimp="0.95 0.99 0.001"/></default>
+    <default class="look"><geom contype="0" conaffinity="0" group="2" mass="0"/></default>
+  </default>
+  <asset/>
+  <worldbody>
+    <light directional="true" pos="0 0 6" dir="0.35 -0.25 -1" diffuse="0.4 0.4 0.4" specular="0.05 0.05 0.05"/>
+  </worldbody>
+  <contact/>
+  <actuator/>
+  <custom/>
+</mujoco>"""
+"""A model with options and classes only. Its solver is for quiet furniture: an elliptic cone with a high friction impedance does not
+creep, and implicit integration keeps small light things calm."""
 
-    root: ET.Element
-    assets: ET.Element
-    world: ET.Element
-    contact: ET.Element
-    actuators: ET.Element
-    home: list[float] = field(default_factory=list[float])
-    looks: dict[Material, str] = field(default_factory=dict[Material, str])
-    meshes: dict[str, tuple[str, bytes]] = field(
-        default_factory=dict[str, tuple[str, bytes]]
-    )  # path and content by name
+
+class _Model:
+    """An XML tree and what was defined in it so far."""
+
+    def __init__(self) -> None:
+        self.root = ET.fromstring(EMPTY)
+        self.home: list[float] = []
+        self.looks: dict[Material, str] = {}
+        self.meshes: dict[str, tuple[str, bytes]] = {}  # path and content by name
+
+    def add(self, tag: str, element: str, said: dict[str, str]) -> ET.Element:
+        """Add an element to a section."""
+        return ET.SubElement(section(self.root, tag), element, said)
+
+
+def section(root: ET.Element, tag: str) -> ET.Element:
+    """Return a section of a model, which is added where it has none."""
+    found = root.find(tag)
+    return ET.SubElement(root, tag) if found is None else found
 
 
 def build(
@@ -64,56 +90,32 @@ def build(
 
     Where it is None all furniture holds still, and is one body with the world: MuJoCo takes a tenth of the time for that.
     """
-    model = _start(scene, still=free is None)
-    custom = ET.SubElement(model.root, "custom")
+    model = _Model()
+    model.root.set("model", scene.name)
+    if free is None:
+        section(model.root, "compiler").set("fusestatic", "true")
     for thing in things(scene, layout, options, free=free):
         _body(model, thing)
         if thing.asset is not None:
             size = " ".join(map(repr, thing.asset.size))
-            ET.SubElement(custom, "numeric", name=f"size/{thing.name}", data=size)
-            ET.SubElement(custom, "text", name=f"category/{thing.name}", data=thing.asset.category)
+            model.add("custom", "numeric", {"name": f"size/{thing.name}", "data": size})
+            model.add("custom", "text", {"name": f"category/{thing.name}", "data": thing.asset.category})
     for name, line in options.routes.items():
         flat = " ".join(f"{value:.6g}" for point in line for value in point)
-        ET.SubElement(custom, "text", name=f"route/{name}", data=flat or "-")
+        model.add("custom", "text", {"name": f"route/{name}", "data": flat or "-"})
     if options.agent is not None:
-        _agent(model, free_name(AGENT, scene), options, start(scene, options))
-    key = {"name": "home", "qpos": " ".join(map(repr, model.home)), "ctrl": " ".join("0" * len(model.actuators))}
-    ET.SubElement(ET.SubElement(model.root, "keyframe"), "key", {name: text for name, text in key.items() if text})
+        _agent(model, free_name(AGENT, scene), options.agent, options.whole, start(scene, options))
+    controls = " ".join("0" * len(section(model.root, "actuator")))
+    key = {"name": "home", "qpos": " ".join(map(repr, model.home)), "ctrl": controls}
+    model.add("keyframe", "key", {name: text for name, text in key.items() if text})
     return dump_xml(model.root), dict(model.meshes.values())
-
-
-def _start(scene: Scene, *, still: bool) -> _Model:
-    """Return an empty model with options and classes.
-
-    Solver settings are for quiet furniture: an elliptic cone with a high friction impedance does not creep, and implicit
-    integration keeps small light things calm.
-    """
-    root = ET.Element("mujoco", model=scene.name)
-    units = {"angle": "radian", "autolimits": "true", "boundmass": "1e-4", "boundinertia": "1e-7"}
-    ET.SubElement(root, "compiler", units | ({"fusestatic": "true"} if still else {}))
-    solver = {"timestep": "0.004", "integrator": "implicitfast", "cone": "elliptic", "impratio": "10"}
-    ET.SubElement(root, "option", solver | {"iterations": "50", "tolerance": "1e-8"})
-    ET.SubElement(root, "statistic", extent="6")
-    lamp = {"ambient": "0.4 0.4 0.4", "diffuse": "0.2 0.2 0.2", "specular": "0.05 0.05 0.05"}
-    ET.SubElement(ET.SubElement(root, "visual"), "headlight", lamp)
-    classes = ET.SubElement(root, "default")
-    for name, look in (
-        ("solid", {"condim": "4", "solref": "0.02 1", "solimp": "0.95 0.99 0.001"}),
-        ("look", {"contype": "0", "conaffinity": "0", "group": "2", "mass": "0"}),
-    ):
-        ET.SubElement(ET.SubElement(classes, "default", {"class": name}), "geom", look)
-    assets = ET.SubElement(root, "asset")
-    world = ET.SubElement(root, "worldbody")
-    sun = {"directional": "true", "pos": "0 0 6", "dir": "0.35 -0.25 -1", "diffuse": "0.4 0.4 0.4"}
-    ET.SubElement(world, "light", sun | {"specular": "0.05 0.05 0.05"})
-    return _Model(root, assets, world, ET.SubElement(root, "contact"), ET.SubElement(root, "actuator"))
 
 
 def _body(model: _Model, thing: Thing) -> None:
     """Add a thing as a body, and one inside it for each joint; what moves does not collide with its own thing."""
     pose, half = thing.pose, thing.pose.yaw / 2
     place = {"pos": f"{pose.x!r} {pose.y!r} {pose.z!r}", "quat": f"{math.cos(half)!r} 0 0 {math.sin(half)!r}"}
-    outer, folder = ET.SubElement(model.world, "body", {"name": thing.name, **place}), thing.folder
+    outer, folder = model.add("worldbody", "body", {"name": thing.name, **place}), thing.folder
     if thing.free:
         ET.SubElement(outer, "freejoint", name=thing.name)
         model.home += [pose.x, pose.y, pose.z, math.cos(half), 0.0, 0.0, math.sin(half)]
@@ -122,7 +124,7 @@ def _body(model: _Model, thing: Thing) -> None:
         body = outer if link.joint is None else _jointed(model, outer, f"{thing.name}/{link.joint.name}", link)
         own = body.get("name", "")
         for other in names:
-            ET.SubElement(model.contact, "exclude", body1=own, body2=other)
+            model.add("contact", "exclude", {"body1": own, "body2": other})
         names.append(own)
         for shape in link.shapes:
             _geom(model, body, thing, shape, folder)
@@ -152,12 +154,13 @@ def _geom(model: _Model, body: ET.Element, thing: Thing, shape: Shape, folder: s
     note |= {"material": _material(model, shape.part.material)} if shape.seen else {"rgba": "0 0 0 0"}
     box = shape.box
     if thing.asset is None and not shape.seen:
-        body, note = model.world, {**note, "type": "plane", "size": "0 0 0.1"}
+        body, note = section(model.root, "worldbody"), {**note, "type": "plane", "size": "0 0 0.1"}
     elif box is None:
         note |= {"type": "mesh", "mesh": shape.mesh}
         if shape.mesh not in model.meshes:
-            model.meshes[shape.mesh] = f"{folder}/{shape.mesh}", shape.data
-            ET.SubElement(model.assets, "mesh", name=shape.mesh, file=f"{folder}/{shape.mesh}", inertia="convex")
+            path = f"{folder}/{shape.mesh}"
+            model.meshes[shape.mesh] = path, shape.data
+            model.add("asset", "mesh", {"name": shape.mesh, "file": path, "inertia": "convex"})
     else:
         note |= {"type": "box", "size": numbers(box.half.tolist()), "pos": numbers(box.center.tolist())}
         if not np.allclose(box.rotation, np.eye(3), atol=1e-12):
@@ -170,7 +173,8 @@ def _material(model: _Model, material: Material) -> str:
     if material not in model.looks:
         name = model.looks[material] = unique(material.name, {*model.looks.values()}, "-")
         gloss = f"{(1 - material.roughness) / 2:.4g}"
-        ET.SubElement(model.assets, "material", name=name, rgba=rgba(material), specular=gloss, shininess=gloss)
+        look = {"name": name, "rgba": rgba(material), "specular": gloss, "shininess": gloss}
+        model.add("asset", "material", look)
     return model.looks[material]
 
 
@@ -187,28 +191,23 @@ def start(scene: Scene, options: Options) -> Pose:
     return Pose((low_x + high_x) / 2, (low_y + high_y) / 2, 0.0, 0.0)
 
 
-def _agent(model: _Model, own: str, options: Options, pose: Pose) -> None:
+def _agent(model: _Model, own: str, agent: Agent, whole: bool, pose: Pose) -> None:
     """Add the planar base of an agent, and on it a robot's model if that is asked for, else its shape."""
-    agent, half_yaw = options.agent, pose.yaw / 2
-    assert agent is not None
-    turn = f"{math.cos(half_yaw)!r} 0 0 {math.sin(half_yaw)!r}"
-    body = ET.SubElement(model.world, "body", name=own, pos=f"{pose.x!r} {pose.y!r} 0", quat=turn)
-    joints = {"x": ("slide", pose.x), "y": ("slide", pose.y), "yaw": ("hinge", pose.yaw)}
-    axes = {
-        "x": f"{math.cos(pose.yaw)!r} {-math.sin(pose.yaw)!r} 0",
-        "y": f"{math.sin(pose.yaw)!r} {math.cos(pose.yaw)!r} 0",
-    }
-    for name, (kind, value) in joints.items():
-        axis = axes.get(name, "0 0 1")
-        ET.SubElement(body, "joint", name=f"{own}/{name}", type=kind, axis=axis, ref=repr(value))
-        gains = {
-            "gainprm": f"{BASE.stiffness:.6g}",
-            "biasprm": f"{BASE.stiffness * value:.17g} {-BASE.stiffness:.6g} {-BASE.damping:.6g}",
-        }
-        drive = {"gaintype": "fixed", "biastype": "affine", "joint": f"{own}/{name}"}
-        ET.SubElement(model.actuators, "general", {"name": f"{own}/{name}", **drive, **gains})
+    half, cosine, sine = pose.yaw / 2, math.cos(pose.yaw), math.sin(pose.yaw)
+    turn = f"{math.cos(half)!r} 0 0 {math.sin(half)!r}"
+    body = model.add("worldbody", "body", {"name": own, "pos": f"{pose.x!r} {pose.y!r} 0", "quat": turn})
+    for name, kind, value, axis in (
+        ("x", "slide", pose.x, f"{cosine!r} {-sine!r} 0"),
+        ("y", "slide", pose.y, f"{sine!r} {cosine!r} 0"),
+        ("yaw", "hinge", pose.yaw, "0 0 1"),
+    ):
+        joint = f"{own}/{name}"
+        ET.SubElement(body, "joint", name=joint, type=kind, axis=axis, ref=repr(value))
+        bias = f"{BASE.stiffness * value:.17g} {-BASE.stiffness:.6g} {-BASE.damping:.6g}"
+        drive = {"gaintype": "fixed", "biastype": "affine", "joint": joint}
+        model.add("actuator", "general", {"name": joint, **drive, "gainprm": f"{BASE.stiffness:.6g}", "biasprm": bias})
         model.home.append(value)
-    if options.whole and agent.figure is not None:
+    if whole and agent.figure is not None:
         _robot(model, body, agent, agent.figure)
     else:
         _shape(body, own, agent)
@@ -216,16 +215,16 @@ def _agent(model: _Model, own: str, options: Options, pose: Pose) -> None:
 
 def _robot(model: _Model, body: ET.Element, agent: Agent, figure: Figure) -> None:
     """Add a robot's model to its base."""
-    from robolayout.export._whole import section, sections, whole
+    from robolayout.export._whole import whole
 
     found = whole(agent, figure, body.get("name", ""))
     body.append(found.body)
-    for tag, elements in sections(found):
-        section(model.root, tag).extend(elements)
+    for part in found.sections:
+        section(model.root, part.tag).extend(part)
     for compiler in model.root.iter("compiler"):
         compiler.set("balanceinertia", "true")  # real files have inertias that no thing can have
     model.home += found.home
-    model.meshes |= found.files
+    model.meshes |= {path: (path, content) for path, content in found.files.items()}
 
 
 def _shape(body: ET.Element, own: str, agent: Agent) -> None:

@@ -149,13 +149,8 @@ def _stands(asset: Asset, scene: Scene, layout: Layout) -> bool:
 def settle(scene: Scene, layout: Layout, seconds: float = 5.0, *, seed: int = 0) -> Settled:
     """Let gravity work on a layout and measure what moves.
 
-    Everything that stands is free, built-in furniture too: a wardrobe that would fall over is found.
-
-    Args:
-        scene: The scene.
-        layout: Where everything stands; assets without a pose count as not stable.
-        seconds: Simulated time.
-        seed: Seed of the parametric meshes.
+    Everything that stands is free, built-in furniture too: a wardrobe that would fall over is found. Assets without a pose
+    count as not stable. `seed` is that of the parametric meshes.
 
     Raises:
         LayoutError: The layout names an asset that the scene does not have, or holds a pose that is not finite.
@@ -189,22 +184,13 @@ def _motion(before: FloatArray, after: FloatArray, axes: FloatArray) -> Motion:
 
 
 def drive(
-    scene: Scene,
-    layout: Layout,
-    agent: Agent,
-    ways: Ways,
-    speed: float = 0.5,
-    *,
-    leaves: str = "open",
+    scene: Scene, layout: Layout, agent: Agent, ways: Ways, speed: float = 0.5, *, leaves: str = "open"
 ) -> Driven:
     """Drive an agent's footprint along its ways and report what it touches.
 
     The base follows each way with position and velocity fed forward, slowing down for corners; the furniture holds still.
 
     Args:
-        scene: The scene.
-        layout: Where everything stands.
-        agent: The body.
         ways: Places (x, y) of the middle of its disc on the way to each asset, metres, or (x, y, heading in radians) of its
             rectangular footprint, by asset name; ways of fewer than two places are skipped, since there is nothing to drive.
         speed: Metres per second.
@@ -223,10 +209,8 @@ def drive(
 
 def _drive(model: Any, data: Any, way: FloatArray, speed: float) -> Drive:
     """Drive one way from standstill to standstill."""
-    mujoco = simulator()
-    step = float(model.opt.timestep)
-    times, path = timeline(way, speed)
-    clock = np.arange(0.0, times[-1] + MOTION.settling, step)
+    mujoco, (times, path) = simulator(), timeline(way, speed)
+    clock = np.arange(0.0, times[-1] + MOTION.settling, float(model.opt.timestep))
     wanted = np.stack([np.interp(clock, times, column) for column in path.T], axis=1)
     orders, (body, places) = controls(model, wanted), base(model)
     mujoco.mj_resetData(model, data)
@@ -246,11 +230,8 @@ def timeline(way: FloatArray, speed: float) -> tuple[FloatArray, FloatArray]:
     """Return when the base is where: times (n,) in seconds and poses (n, 3) as x, y, yaw.
 
     It starts and ends at rest, accelerates by no more than `MOTION.acceleration`, turns no faster than `MOTION.turn_rate` and slows down at
-    corners: the cosine of the change of direction tells how much of the speed is kept, so it stops to drive back.
-
-    Args:
-        way: (m, 2) places, on which the yaw stays 0, or (m, 3) poses, between which it turns evenly.
-        speed: Metres per second.
+    corners: the cosine of the change of direction tells how much of the speed (m/s) is kept, so it stops to drive back. The way is
+    (m, 2) places, on which the yaw stays 0, or (m, 3) poses, between which it turns evenly.
     """
     poses = np.pad(way, ((0, 0), (0, 3 - way.shape[1])))
     counts = [max(1, math.ceil(np.abs(step).max() / MOTION.spacing)) for step in np.diff(poses, axis=0)]
@@ -265,8 +246,7 @@ def timeline(way: FloatArray, speed: float) -> tuple[FloatArray, FloatArray]:
     for order in (range(1, len(path)), range(len(path) - 2, -1, -1)):
         for i in order:
             before = i - order.step
-            reached = math.sqrt(rates[before] ** 2 + 2 * MOTION.acceleration * lengths[min(i, before)])
-            rates[i] = min(rates[i], reached)
+            rates[i] = min(rates[i], math.sqrt(rates[before] ** 2 + 2 * MOTION.acceleration * lengths[min(i, before)]))
     spent = np.maximum(lengths / np.maximum((rates[1:] + rates[:-1]) / 2, MOTION.slowest), turned / MOTION.turn_rate)
     times = np.concatenate([[0.0], np.cumsum(spent)])
     return np.append(times, times[-1] + MOTION.spacing), np.concatenate([path, path[-1:]])

@@ -4,14 +4,18 @@ Unity is y up and left-handed: our (x, y, z) is its (x, z, y), and a yaw counter
 clockwise from +z, that is 90 degrees minus the yaw. Every asset becomes the THOR asset of the same type that is nearest in
 size, on the same floor, thing or wall; `metadata.robolayout.assets` says which one, and how far its box is from the asked one.
 What THOR has no type for, rugs and ceiling lamps among it, is left out and has no id there; lights shine where the lamps hang. A
-wall of THOR holds one door or window, so walls with more are cut into pieces.
+wall of THOR holds one door or window, so walls with more are cut into pieces. The table of THOR's 1,653 assets (names, types,
+boxes) is `data/thor_assets.csv`, derived from the PyPI package procthor (Allen Institute for AI, Apache License 2.0).
 """
 
 from __future__ import annotations
 
+import csv
 import math
 from collections.abc import Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
+from functools import cache
+from importlib.resources import files
 from itertools import pairwise
 from typing import cast
 
@@ -20,9 +24,8 @@ from robolayout._reading.syntax import decoded, json_value
 from robolayout.assets import parts
 from robolayout.export._exporter import Exporter, Json, Options, Rows, dump_json, is_movable, placed, reader, supporter
 from robolayout.export._scenery import lamp as lamp_light
-from robolayout.export._thor import as_in_thor, kept, nearest, nearest_of, rise
 from robolayout.export.mjcf import start
-from robolayout.scene import Layout, Opening, Pose, Room, Scene, Wall
+from robolayout.scene import Asset, Layout, Opening, Pose, Room, Scene, Wall
 
 ROOM = "room|2"  # rooms of THOR are numbered from 2; 1 is outside
 AGENT_HEIGHT = 0.95  # height in metres of the middle of THOR's default agent
@@ -31,6 +34,92 @@ ROOM_TYPES = {"kitchen": "Kitchen", "bath": "Bathroom", "bed": "Bedroom"}
 WALL_MATERIAL, FLOOR_MATERIAL, OUTSIDE_MATERIAL = "PureWhite", "WoodFloorsCross", "BrownDrywall"
 
 Hole = tuple[str, int, Opening]  # kind ("door", "window"), number and opening
+Size = tuple[float, float, float]
+
+
+@dataclass(frozen=True)
+class ThorAsset:
+    """One asset of AI2-THOR."""
+
+    type: str  # its object type ("SideTable")
+    name: str  # its asset id
+    size: Size  # depth (along its front), width and height in metres
+
+    def distance(self, size: Size) -> float:
+        """Return the largest difference in metres between its sides and those of a box."""
+        return max(abs(a - b) for a, b in zip(self.size, size, strict=True))
+
+
+def _rows(name: str) -> list[dict[str, str]]:
+    """Return the rows of a table of this package, without its comment lines."""
+    text = files("robolayout.export").joinpath("data", name).read_text(encoding="utf-8")
+    return list(csv.DictReader(line for line in text.splitlines() if not line.startswith("#")))
+
+
+@cache
+def catalogue() -> dict[str, tuple[ThorAsset, ...]]:
+    """Return all assets of AI2-THOR by type."""
+    found: dict[str, list[ThorAsset]] = {}
+    for row in _rows("thor_assets.csv"):
+        size = (float(row["depth"]), float(row["width"]), float(row["height"]))
+        found.setdefault(row["type"], []).append(ThorAsset(row["type"], row["asset"], size))
+    return {name: tuple(assets) for name, assets in found.items()}
+
+
+@cache
+def _phrases() -> dict[str, str]:
+    """Return the THOR type of every known phrase; empty where there is none."""
+    return {row["words"]: row["type"] for row in _rows("thor_types.csv")}
+
+
+def thor_type(category: str) -> str | None:
+    """Return the THOR type that a category in words is, or None.
+
+    The head of an English compound comes last ("desk chair" is a chair), so the longest known phrase at its end decides.
+    """
+    words = category.lower().replace("_", " ").replace("-", " ").split()
+    ends = [f"={' '.join(words)}", *(" ".join(words[start:]) for start in range(len(words)))]
+    return next((_phrases()[phrase] or None for phrase in ends if phrase in _phrases()), None)
+
+
+def nearest(asset: Asset) -> ThorAsset | None:
+    """Return the THOR asset that stands for one of ours, the nearest in size of the same type; None where there is none."""
+    kind = thor_type(asset.category)
+    if kind is None or asset.is_flat or (asset.on_ceiling and not (asset.on_floor or asset.on_object)):
+        return None
+    return _nearest_of(kind, asset.size)
+
+
+def _kept(asset: Asset) -> str:
+    """Return what is kept of an asset's height in THOR: its bottom where it stands, else its middle."""
+    return "bottom" if asset.on_floor or asset.on_object else "middle"
+
+
+def _rise(asset: Asset, size: Size) -> float:
+    """Return how far up its middle moves in metres where an asset takes the size of THOR's."""
+    return (size[2] - asset.size[2]) / 2 if _kept(asset) == "bottom" else 0.0
+
+
+def as_in_thor(scene: Scene, layout: Layout) -> tuple[Scene, Layout]:
+    """Return a room with the boxes of THOR's assets, each where ours is, and without what has no counterpart.
+
+    Rugs and what hangs from the ceiling stay: they take no room, and lamps shine.
+    """
+    assets: list[Asset] = []
+    poses: dict[str, Pose] = {}
+    for asset in scene.assets:
+        thor = nearest(asset)
+        if thor is None and not (asset.is_flat or asset.on_ceiling):
+            continue
+        assets.append(asset if thor is None else replace(asset, size=thor.size))
+        if (pose := layout.get(asset.name)) is not None:
+            poses[asset.name] = replace(pose, z=pose.z + _rise(asset, assets[-1].size))
+    return replace(scene, assets=tuple(assets)), Layout(poses)
+
+
+def _nearest_of(kind: str, size: Size) -> ThorAsset:
+    """Return the asset of a type whose box is nearest in size; ties go to the first by name."""
+    return min(catalogue()[kind], key=lambda asset: (asset.distance(size), asset.name))
 
 
 def write(scene: Scene, layout: Layout, options: Options) -> bytes:
@@ -100,7 +189,7 @@ def _cover(index: int, piece: Piece) -> Json:
     """Return a door or window: the nearest THOR asset, scaled to the hole, placed along its wall from the wall's first corner."""
     _, _, end, hole = piece
     kind, number, opening = cast(Hole, hole)
-    thor = nearest_of(["Doorway" if kind == "door" else "Window"], (0.1, opening.width, opening.height))
+    thor = _nearest_of("Doorway" if kind == "door" else "Window", (0.1, opening.width, opening.height))
     near, top = end - opening.offset - opening.width, opening.sill + opening.height
     cover: Json = {
         "id": f"{kind}|1|2|{number}",
@@ -130,7 +219,7 @@ def _objects(scene: Scene, layout: Layout) -> tuple[list[Json], dict[str, Json]]
             "assetId": thor.name,
             "id": f"{thor.type}|2|{number}",
             "kinematic": not is_movable(asset, scene, layout),
-            **_pose(replace(pose, z=pose.z + rise(asset, thor.size))),
+            **_pose(replace(pose, z=pose.z + _rise(asset, thor.size))),
             "room": ROOM,
             "children": [],
         }
@@ -138,7 +227,7 @@ def _objects(scene: Scene, layout: Layout) -> tuple[list[Json], dict[str, Json]]
             "id": objects[asset.name]["id"],
             "thorSize": list(thor.size),
             "sizeDistance": round(thor.distance(asset.size), 4),
-            "anchor": kept(asset),
+            "anchor": _kept(asset),
         }
     roots: list[Json] = []
     for name, entry in objects.items():
