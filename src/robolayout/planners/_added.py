@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections import Counter
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -13,7 +13,7 @@ from robolayout.assets import Category
 from robolayout.planners._knowledge import Role
 from robolayout.planners._wishes import Wishes
 from robolayout.scene import Agent
-from robolayout.words import KIN, Rooms
+from robolayout.words import KIN
 
 COMFORT, AIRY = 0.26, 0.15
 """Shares of the floor up to which further things are added: usually, and in a room that is to be airy."""
@@ -56,29 +56,27 @@ def head(name: str) -> str:
 
 @dataclass(frozen=True)
 class Known:
-    """The built-in categories and room types, with those of the user's own."""
+    """The built-in categories and their roles, with those of the user's own."""
 
     kinds: Mapping[str, Category]
-    rooms: Rooms
     roles: Mapping[str, Role]
 
-    def useless(self, name: str, present: Iterable[str]) -> bool:
+    def _role(self, name: str) -> Role | None:
+        return self.roles.get(self.kinds[name].like or name)
+
+    def useless(self, name: str, present: Collection[str]) -> bool:
         """Return whether a thing belongs at others of which none is there: a chair without a table, a candlestick without a top."""
-        if self.kinds[name].places == ("object",) and not any(self._is_top(other) for other in present):
+        tops = (role for other in present if (role := self._role(other)) is not None and role.top)
+        if self.kinds[name].places == ("object",) and next(tops, None) is None:
             return True
-        role = self.roles.get(self.kinds[name].like or name)
+        role = self._role(name)
         wanted = {other for join in role.joins if not join.loose for other in join.of} if role else set[str]()
         there = {self.roles[other].name for other in present if other in self.roles}
         return bool(wanted) and "*" not in wanted and not wanted & there
 
-    def _is_top(self, name: str) -> bool:
-        role = self.roles.get(self.kinds[name].like or name)
-        return role is not None and role.top
-
     def too_high(self, name: str, agents: Iterable[Agent]) -> bool:
         """Return whether a thing that is opened hangs above what one of the bodies reaches: a wall cabinet for a child."""
-        kind = self.kinds[name]
-        role = self.roles.get(kind.like or name)
+        kind, role = self.kinds[name], self._role(name)
         if kind.on_floor or kind.open_depth <= 0 or role is None or not role.height:
             return False
         bottom = role.height - kind.size[2] / 2
@@ -103,6 +101,11 @@ def times_usual(wishes: Wishes) -> float:
     return min(asked / (width * depth), LARGEST)
 
 
+def floor(wishes: Wishes, size: tuple[float, float]) -> float:
+    """Return the floor in m2 of a room of a width and depth in metres."""
+    return size[0] * size[1] * (0.75 if wishes.reading.shape == "L-shaped" else 1.0)
+
+
 class Added:
     """What belongs in a room and was not named.
 
@@ -110,7 +113,6 @@ class Added:
         wishes: What was asked for.
         wished: The things of it, with what people bring along.
         size: Width and depth of the room in metres.
-        known: Categories and room types.
         fill: Share of the floor up to which further things are added.
         agents: The bodies of the room; nothing is added that one of them cannot open wherever it hangs.
     """
@@ -124,22 +126,16 @@ class Added:
         fill: float,
         agents: Sequence[Agent],
     ) -> None:
-        self.agents = agents
-        self.wishes, self.room, self.wished, self.known = wishes, wishes.room, wished, known
-        self.floor = size[0] * size[1] * (0.75 if wishes.reading.shape == "L-shaped" else 1.0)
-        self.fill = AIRY if wishes.reading.airy else fill
-        self.asked = {known.head(name) for name in wishes.things}
-        self.asked |= {known.head(name) for name in wished if known.head(name) == "bed"}
+        self.wishes, self.wished, self.known, self.agents = wishes, wished, known, agents
+        self.room, self.companions = wishes.room, wishes.rooms.companions
+        self.floor, self.fill = floor(wishes, size), AIRY if wishes.reading.airy else fill
+        self.asked = {known.head(name) for name in wishes.things} | ({"bed"} & {known.head(name) for name in wished})
         self.lasts = {name.split()[-1] for name in wishes.things} | wishes.general
-        on = (link for link in wishes.reading.parsed.links if link.relation in ("on", "above"))
-        borne = {
-            kind for link in on for m in link.subjects if "floor" not in known.kinds[kind := m.thing.noun.kind].places
-        }
-        self.spared = {
-            other for name in borne for other in known.rooms.companions.get(name, {})
-        }  # their bearer is said
-        height = wishes.reading.measure("height")
-        self.ceiling = height[0] if height else math.inf
+        links = [link for link in wishes.reading.parsed.links if link.relation in ("on", "above")]
+        laid = {mention.thing.noun.kind for link in links for mention in link.subjects}
+        borne = {kind for kind in laid if "floor" not in known.kinds[kind].places}
+        self.spared = {other for name in borne for other in self.companions.get(name, {})}  # their bearer is said
+        self.ceiling = (wishes.reading.measure("height") or (math.inf,))[0]
         self.found: dict[str, int] = {}
 
     def things(self, rng: np.random.Generator) -> dict[str, int]:
@@ -169,9 +165,9 @@ class Added:
         )
 
     def _fits(self, group: Mapping[str, int], limit: float) -> bool:
-        for name in group:
-            if self.known.kinds[name].size[2] + SPARE > self.ceiling or self.known.too_high(name, self.agents):
-                return False
+        low = all(self.known.kinds[name].size[2] + SPARE <= self.ceiling for name in group)
+        if not low or any(self.known.too_high(name, self.agents) for name in group):
+            return False
         taken = self.known.floor_area(both(self.wished, self.found, group))
         return self.known.floor_area(group) == 0 or taken <= limit * self.floor
 
@@ -179,12 +175,9 @@ class Added:
         """Add what a wished thing is of no use without; benches and stools are seats of tables, too."""
         there = {self.known.head(other) for other in self.wished}
         there |= {"chair"} if head(name) == "table" and SEATS & {*self.wished} else set()
-        for other, each in self.known.rooms.companions.get(name, {}).items():
-            if (
-                other not in self.spared
-                and other not in self.wishes.reading.unwanted
-                and head(other) not in there | self.wishes.general
-            ):
+        for other, each in self.companions.get(name, {}).items():
+            spared = other in self.spared or other in self.wishes.reading.unwanted
+            if not spared and head(other) not in there | self.wishes.general:
                 self.found[other] = self.found.get(other, 0) + count * each
 
     def _add(self, name: str, most: int) -> None:
@@ -194,15 +187,15 @@ class Added:
         waiting = "chair" in present and not {"table", "desk"} & present
         needs = {
             other: each
-            for other, each in self.known.rooms.companions.get(name, {}).items()
+            for other, each in self.companions.get(name, {}).items()
             if (head(other) == "chair" and not waiting) or (head(other) not in present and other not in self.room.base)
         }
         limit = BASIC if name in self.room.base and self.fill > AIRY else self.fill
         for count in range(most, 0, -1):
             group = {other: count * each for other, each in {name: 1, **needs}.items()}
             if self._fits(group, limit):
-                useless = self.known.useless(name, {**self.wished, **self.found, **group})
-                self.found |= {} if useless else group
+                if not self.known.useless(name, {**self.wished, **self.found, **group}):
+                    self.found |= group
                 return
 
     def _zones(self) -> None:

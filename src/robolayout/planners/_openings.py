@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence, Set
+from collections.abc import Iterator, Mapping, Sequence, Set
 from dataclasses import dataclass
-from itertools import pairwise
 
 import numpy as np
 
-from robolayout.words import COMPASS, WantedOpening
-
-Outline = list[tuple[float, float]]
+from robolayout.assets import Category
+from robolayout.planners._wishes import Wishes
+from robolayout.scene import Room
+from robolayout.words import COMPASS, Place, Reading, WantedOpening, grammar, spoken_openings, wanted_openings
 
 
 @dataclass(frozen=True)
@@ -32,91 +32,89 @@ class Openings:
     """How many windows and doors there are at the most where nothing is said."""
     lintel: float = 0.05  # metres at the least between the top of a door or window and the ceiling
     most_of_a_wall: float = 0.45  # share of its wall that one window takes at the most
+    sill: float = 1.2  # metres from which height on what stands at a wall is high: no window is made behind it
 
 
 OPENINGS = Openings()
 
-
-@dataclass(frozen=True)
-class Told:
-    """What words say of a room's doors and windows."""
-
-    wanted: Sequence[WantedOpening] = ()  # such as are asked for
-    doors: tuple[int, int] = (1, OPENINGS.most_doors)
-    windows: tuple[int, int] = (1, OPENINGS.most_windows)
-    """How few and how many there are at the most where no number is asked for."""
-    flanked: bool = False  # whether things are to stand on both sides of a door
-    # walls, by compass, at which things are to stand, and such at which high ones are: no door and no window is made in these
-    # where another wall can have it
-    held: Set[str] = frozenset()
-    high: Set[str] = frozenset()
-    corners: Sequence[
-        Set[str]
-    ] = ()  # by the compass of their two walls, those where things are to stand: no door is beside one
-
-
+Kinds = Mapping[str, Category]
 Opening = dict[str, float]
 
 
 def openings(
-    outline: Outline,
-    wide: float,
-    told: Told,
-    rng: np.random.Generator,
-    height: float = 2.6,
-    *,
-    varied: bool = False,
+    room: Room, wishes: Wishes, kinds: Kinds, wide: float, rng: np.random.Generator, *, varied: bool
 ) -> tuple[list[Opening], list[Opening]]:
     """Return doors near the ends of long walls (varied: somewhere in any wall), and windows in other walls.
 
+    Where another wall can have it, no door is made at a wall or corner where things are to stand, and no window behind high ones.
+
     Args:
-        outline: Corners of the floor, metres.
+        room: The room without them.
         wide: Width of a door in metres.
-        told: What is asked for.
-        rng: Settles what is not.
-        height: Height of the walls in metres; doors and windows are lower.
-        varied: Whether doors may be where they are less usual.
+        rng: Settles what is not asked for.
     """
-    lengths = [math.dist(a, b) for a, b in zip(outline, outline[1:] + outline[:1], strict=True)]
-    order = sorted(range(len(lengths)), key=lambda i: -lengths[i])
+    order = sorted(range(len(room.walls)), key=lambda i: -room.walls[i].length)
     usual = order[int(rng.integers(0, len(order) if varied else min(2, len(order))))]
     along = float(rng.random()) if varied else float(rng.random() < 0.5)
-    corners = [*outline, outline[0]]
-    area = abs(sum(ax * by - bx * ay for (ax, ay), (bx, by) in pairwise(corners))) / 2
-    asked = [item for item in told.wanted if item.kind == "door"]
-    asked = asked or [WantedOpening("door", _within(told.doors, 1 + int(area / OPENINGS.door_each)))]
-    full, high = ({i for word in words for i in _meant(outline, word)} for words in (told.held, told.high))
+    asked = _asked(wishes.reading, "door", OPENINGS.most_doors, 1 + int(room.area / OPENINGS.door_each))
+    full, high = (
+        {i for word in _held(wishes, kinds, least) for i in _meant(room, word)} for least in (0.0, OPENINGS.sill)
+    )
     doors: list[Opening] = []
     for number, item in enumerate(i for i in asked for _ in range(i.count)):
-        fits = [i for i in order if lengths[i] > wide and i not in {d["wall"] for d in doors}] or order
+        fits = [i for i in order if room.walls[i].length > wide and i not in {d["wall"] for d in doors}] or order
         fits = [i for i in fits if i not in full] or fits
         start = fits.index(usual) if usual in fits and not number else 0
-        wall = _wall(outline, item.wall, fits[start:] + fits[:start])
-        first = min(OPENINGS.flanked if told.flanked else OPENINGS.aside, (lengths[wall] - wide) / 2)
-        offset = first + (1.0 - _aside(outline, wall, along, told.corners, full)) * (lengths[wall] - wide - 2 * first)
-        doors.append(
-            {
-                "wall": wall,
-                "offset": round(max(offset, 0.0), 2),
-                "width": min(wide, lengths[wall]),
-                "height": min(2.05, height - OPENINGS.lintel),
-            }
-        )
-    more = _within(told.windows, max(1 + int(rng.integers(0, 2)), int(area / OPENINGS.window_each)))
-    windows = [item for item in told.wanted if item.kind == "window"] or [WantedOpening("window", more)]
+        wall = _wall(room, item.wall, fits[start:] + fits[:start])
+        spare = room.walls[wall].length - wide
+        first = min(OPENINGS.flanked if wishes.reading.flanked_door else OPENINGS.aside, spare / 2)
+        offset = first + (1.0 - _aside(room, wall, along, _corners(wishes, kinds), full)) * (spare - 2 * first)
+        width, height = min(wide, room.walls[wall].length), min(2.05, room.wall_height - OPENINGS.lintel)
+        doors.append({"wall": wall, "offset": round(max(offset, 0.0), 2), "width": width, "height": height})
+    more = max(1 + int(rng.integers(0, 2)), int(room.area / OPENINGS.window_each))
     taken = {int(d["wall"]) for d in doors}
-    taken |= high if len(taken | high) < len(lengths) else set[int]()
-    return doors, _windows(outline, lengths, taken, windows, rng, height)
+    taken |= high if len(taken | high) < len(order) else set[int]()
+    free = [i for i in order if i not in taken]
+    return doors, _windows(room, free, _asked(wishes.reading, "window", OPENINGS.most_windows, more), rng)
 
 
-def _within(limits: tuple[int, int], number: int) -> int:
-    return min(max(number, limits[0]), limits[1])
+def _asked(reading: Reading, kind: str, most: int, usual: int) -> list[WantedOpening]:
+    """Return the openings of a kind that are asked for, else as many as usual, as far as words allow it."""
+    few, many = spoken_openings(reading, kind, most)
+    asked = [item for item in wanted_openings(reading) if item.kind == kind]
+    return asked or [WantedOpening(kind, min(max(usual, few), many))]
 
 
-def _aside(outline: Outline, wall: int, along: float, corners: Sequence[Set[str]], full: Set[int]) -> float:
+def _placed(wishes: Wishes, kinds: Kinds, name: str) -> Iterator[tuple[Set[str], list[Category]]]:
+    """Yield the walls, by compass, that tell a wall or corner, and the kinds that are asked to stand there."""
+    walls = grammar().walls
+    for link in wishes.reading.parsed.links:
+        there = [kinds[mention.thing.noun.kind] for mention in link.subjects]
+        for place in link.objects:
+            if isinstance(place, Place) and place.name == name:
+                yield {walls[word] for word in place.words if walls.get(word) in COMPASS}, there
+
+
+def _held(wishes: Wishes, kinds: Kinds, least: float) -> Set[str]:
+    """Return the walls at which something is asked to stand; with a height what is lower counts only if it hangs."""
+    return {
+        word
+        for words, there in _placed(wishes, kinds, "wall")
+        if any((kind.on_floor and kind.size[2] >= least) or (least and kind.on_wall) for kind in there)
+        for word in words
+    }
+
+
+def _corners(wishes: Wishes, kinds: Kinds) -> list[Set[str]]:
+    """Return the corners, by the compass of their two walls, in which something on the floor is asked to stand."""
+    told = _placed(wishes, kinds, "corner")
+    return [words for words, there in told if len(words) == 2 and any(kind.on_floor for kind in there)]
+
+
+def _aside(room: Room, wall: int, along: float, corners: Sequence[Set[str]], full: Set[int]) -> float:
     """Return where along a wall (1 at its start) a door is: at its other end, or in the middle, where its end is to be free."""
-    meant = [[set(_meant(outline, word)) for word in words] for words in corners]
-    beside = ((wall - 1) % len(outline), (wall + 1) % len(outline))
+    meant = [[set(_meant(room, word)) for word in words] for words in corners]
+    beside = ((wall - 1) % len(room.walls), (wall + 1) % len(room.walls))
     start, end = (2 * any(all({wall, to} & walls for walls in pair) for pair in meant) + (to in full) for to in beside)
     if start == end:
         return 0.5 if start > 1 else along
@@ -124,46 +122,35 @@ def _aside(outline: Outline, wall: int, along: float, corners: Sequence[Set[str]
 
 
 def _windows(
-    outline: Outline,
-    lengths: Sequence[float],
-    taken: set[int],
-    asked: Sequence[WantedOpening],
-    rng: np.random.Generator,
-    ceiling: float,
+    room: Room, free: Sequence[int], asked: Sequence[WantedOpening], rng: np.random.Generator
 ) -> list[Opening]:
-    """Return the windows, in two outer walls where no wall is said."""
-    free = [i for i in sorted(range(len(lengths)), key=lambda i: -lengths[i]) if i not in taken]
+    """Return the windows, in two of the free walls, which are outer ones, where no wall is said."""
     outer = free[: int(rng.integers(1, 3))] if len(asked) == 1 and not asked[0].wall else free
     by_wall: dict[int, list[WantedOpening]] = {}
-    for turn, wanted_one in enumerate(i for i in asked for _ in range(i.count)):
-        order = outer[turn % len(outer) :] + outer[: turn % len(outer)] if outer else [0]
-        by_wall.setdefault(_wall(outline, wanted_one.wall, order), []).append(wanted_one)
+    for turn, wanted in enumerate(i for i in asked for _ in range(i.count)):
+        order = [outer[(turn + i) % len(outer)] for i in range(len(outer))] or [0]
+        by_wall.setdefault(_wall(room, wanted.wall, order), []).append(wanted)
     found: list[Opening] = []
     for wall, items in by_wall.items():
-        share = lengths[wall] / len(items)
+        share = room.walls[wall].length / len(items)
         middle = float(rng.choice([0.35, 0.5, 0.65])) if len(items) == 1 and not items[0].wall else 0.5
         for number, item in enumerate(items):
             width, height = OPENINGS.large if item.large else OPENINGS.usual
-            sill = min(0.9, ceiling - height - OPENINGS.lintel) if ceiling - height > OPENINGS.lintel else 0.0
-            height = round(min(height, ceiling - sill - OPENINGS.lintel), 2)
-            width = round(min(width, share * OPENINGS.most_of_a_wall if len(items) == 1 else share * 0.7), 2)
+            sill = min(0.9, max(room.wall_height - height - OPENINGS.lintel, 0.0))
+            height = round(min(height, room.wall_height - sill - OPENINGS.lintel), 2)
+            width = round(min(width, share * (OPENINGS.most_of_a_wall if len(items) == 1 else 0.7)), 2)
             start = round(number * share + (share - width) * middle, 2)
             found.append({"wall": wall, "offset": start, "width": width, "height": height, "sill": sill})
     return found
 
 
-def _wall(outline: Outline, word: str, order: Sequence[int]) -> int:
+def _wall(room: Room, word: str, order: Sequence[int]) -> int:
     """Return the first of some walls that is meant by a word; the first of all that it means where none of them is."""
-    meant = _meant(outline, word)
+    meant = _meant(room, word)
     return next((i for i in order if i in meant), [*meant, order[0]][0])
 
 
-def _meant(outline: Outline, word: str) -> list[int]:
+def _meant(room: Room, word: str) -> list[int]:
     """Return the walls that a word of the compass means, none for other words."""
-    ring = list(zip(outline, outline[1:] + outline[:1], strict=True))
     nx, ny = COMPASS.get(word, (0.0, 0.0))
-    return [
-        i
-        for i, ((ax, ay), (bx, by)) in enumerate(ring)
-        if (-(by - ay) * nx + (bx - ax) * ny) / math.dist(*ring[i]) > math.sqrt(0.5)
-    ]
+    return [wall.index for wall in room.walls if wall.normal[0] * nx + wall.normal[1] * ny > math.sqrt(0.5)]

@@ -7,6 +7,7 @@ catalogue with seeded variety. What was understood, what was assumed and what wa
 from __future__ import annotations
 
 import math
+from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -16,13 +17,13 @@ import numpy as np
 from robolayout._errors import SceneError
 from robolayout.assets import CATALOGUE, Category
 from robolayout.assets.palette import PALETTES
-from robolayout.planners._added import COMFORT, LARGER, SEATS, SPARE, Added, Known, both, head, times_usual
+from robolayout.planners._added import COMFORT, LARGER, SEATS, SPARE, Added, Known, both, floor, head, times_usual
 from robolayout.planners._knowledge import load_knowledge
-from robolayout.planners._openings import OPENINGS, Told, openings
+from robolayout.planners._openings import openings
 from robolayout.planners._own import own_sides
-from robolayout.planners._wishes import Wishes, read_wishes, usual_there
-from robolayout.scene import FLAT_HEIGHT, Agent, Scene, load_agent, scene_from_dict, variable_name
-from robolayout.words import RoomType, dressing, read_rooms, spoken_openings, wanted_openings
+from robolayout.planners._wishes import Wishes, read_wishes
+from robolayout.scene import FLAT_HEIGHT, Agent, Room, Scene, load_agent, scene_from_dict, variable_name
+from robolayout.words import RoomType, dressing, read_rooms
 
 
 @dataclass(frozen=True)
@@ -41,7 +42,6 @@ class Sizes:
     around: float = 0.7
     before: float = 2.0
     """Metres between rows of desks, between other rows, beside and behind a block of rows, and before it."""
-    sill: float = 1.2  # metres from which height on what stands at a wall is high: no window is made behind it
     walkway: float = 0.6
     """Metres by which a room is longer and wider than the longest thing in it, where no size is given."""
 
@@ -114,43 +114,33 @@ def scene_from_sentence(
     rooms = read_rooms(own.rooms)
     wishes = read_wishes(text, rooms, own.things)
     roles = {name: role for role in own.roles.values() for name in role.names}
-    known = Known({**CATALOGUE, **{thing.name: thing for thing in own.things}, **wishes.named}, rooms, roles)
-    room = wishes.room
-    wished = _wished(wishes, room, known)
+    known = Known({**CATALOGUE, **{thing.name: thing for thing in own.things}, **wishes.named}, roles)
+    wished = _wished(wishes, known)
     stretch = float(np.exp(rng.uniform(-SIZES.stretch, SIZES.stretch))) if variant else 1.0
-    size = _room_size(wishes, room, wished, known, stretch)
-    _possible(wishes.reading.shape, wished, size, known)
-    agent = wishes.reading.agent or room.agent
+    size = _room_size(wishes, wished, known, stretch)
+    _possible(wishes, wished, size, known)
+    agent = wishes.reading.agent or wishes.room.agent
     bodies = agents or ([load_agent(agent)] if agent else [])
     added = Added(wishes, wished, size, known, fill, bodies).things(rng)
-    height = _height(wishes, room, [known.kinds[name] for name in (*wished, *added)])
-    assumed = (*wishes.guesses, *_assumed(wishes, room, size), *_lowered(height, map(known.kinds.__getitem__, wished)))
+    height = _height(wishes, [known.kinds[name] for name in (*wished, *added)])
+    assumed = (*wishes.guesses, *_assumed(wishes, size, height, [known.kinds[name] for name in wished]))
+    kind = wishes.room.of or wishes.room.name
     found = Understanding(
-        text.strip(),
-        room.of or room.name,
-        size,
-        wishes.reading.shape,
-        height,
-        agent,
-        wished,
-        added,
-        assumed,
-        wishes.ignored,
+        text.strip(), kind, size, wishes.reading.shape, height, agent, wished, added, assumed, wishes.ignored
     )
     return scene_from_dict(_scene(found, wishes, known.kinds, rng, varied=variant > 0)), found
 
 
-def _wished(wishes: Wishes, room: RoomType, known: Known) -> dict[str, int]:
+def _wished(wishes: Wishes, known: Known) -> dict[str, int]:
     """Return what was asked for, with what the people in the sentence bring along."""
-    wished = dict(wishes.things)
-    people = _people(wishes, room, wished, known)
+    room, wished = wishes.room, Counter(wishes.things)
+    people = _people(wishes, wished, known)
     heads = {head(name) for name in wished}
     heads |= {"chair"} if SEATS & {*wished} and "table" in heads else set()
-    in_rows = {
-        m.thing.noun.kind for link in wishes.reading.parsed.links if link.relation == "rows" for m in link.subjects
-    }
     heads |= {"seat"} if heads & (LOUNGE | {"chair"}) else set()
-    rows = {head(kind) for kind in in_rows} | ({"seat"} & {head(name) for name in wished})
+    links = wishes.reading.parsed.links
+    rows = {head(m.thing.noun.kind) for link in links if link.relation == "rows" for m in link.subjects}
+    rows |= {"seat"} & {head(name) for name in wished}
     audience = bool(rows & {"chair", "seat", "pew"}) and "desk" not in heads  # it sits before a board, at no desks
     heads |= {"desk", "chair"} if audience else set()
     seated = "table" in heads if room.tables else heads & LOUNGE
@@ -158,13 +148,13 @@ def _wished(wishes: Wishes, room: RoomType, known: Known) -> dict[str, int]:
         heads.add("chair")  # who is here sits elsewhere: on sofas, or on stools at high tables
     for name, count in room.person.items():
         if people and head(name) not in heads and name not in wishes.reading.unwanted:
-            wished[name] = wished.get(name, 0) + count * people
+            wished[name] += count * people
             if wishes.seats and head(name) == "desk":
-                wished[_chair(room)] = wished.get(_chair(room), 0) + count * people  # besides those at the table
+                wished[_chair(room)] += count * people  # besides those at the table
     chairs = sum(n for name, n in wished.items() if head(name) == "chair")
     if room.tables and not any(head(name) == "table" for name in wished if "buffet" not in name):
         wished[room.tables] = math.ceil(chairs / (2 if room.tables == "round table" else 4))
-    return wished
+    return dict(wished)
 
 
 def _usual_people(wishes: Wishes) -> int:
@@ -174,8 +164,9 @@ def _usual_people(wishes: Wishes) -> int:
     return round(room.people * times) if grows else room.people
 
 
-def _people(wishes: Wishes, room: RoomType, wished: dict[str, int], known: Known) -> int:
+def _people(wishes: Wishes, wished: dict[str, int], known: Known) -> int:
     """Return for how many the room is: as said, else as many as have a seat, a desk or a bed; seats are wished for."""
+    room = wishes.room
     if wishes.seats:
         adults = [name for name in wished if head(name) == "chair" and name not in ("high chair", "kids chair")]
         chair = _chair(room)
@@ -200,18 +191,16 @@ def _chair(room: RoomType) -> str:
     return next((name for name in room.person if head(name) == "chair"), "chair")
 
 
-def _room_size(
-    wishes: Wishes, room: RoomType, wished: Mapping[str, int], known: Known, stretch: float
-) -> tuple[float, float]:
+def _room_size(wishes: Wishes, wished: Mapping[str, int], known: Known, stretch: float) -> tuple[float, float]:
     """Return width and depth in metres: as asked, else usual ones, enlarged for what is wished, one side stretched."""
     if wishes.reading.size is not None:
         return wishes.reading.size
-    width, depth = room.size
+    width, depth = wishes.room.size
     longest = max((max(known.kinds[name].size[:2]) for name in wished if known.kinds[name].on_floor), default=0.0)
     given = wishes.reading.measure("area")
     usual = width * depth * wishes.reading.scale
     share = SIZES.aisled if any(link.rows for link in wishes.reading.parsed.links) else SIZES.roomy
-    area = given[0] if given else max(usual, known.floor_area({**room.base, **wished}) / share)
+    area = given[0] if given else max(usual, known.floor_area({**wishes.room.base, **wished}) / share)
     if wishes.reading.shape == "L-shaped":
         area *= 1.2
     ratio = 1.0 if wishes.reading.square else stretch * width / depth
@@ -232,7 +221,7 @@ def _blocks(wishes: Wishes, known: Known) -> Iterator[tuple[float, float]]:
     for link in links:
         things = [mention.thing for mention in link.subjects] if link.relation == "rows" and link.rows > 1 else []
         for thing in things[:1]:
-            kind = usual_there(thing, wishes.room, links) or thing.noun.kind
+            kind = wishes.kind(thing)
             depth, width, height = known.kinds[kind].size
             each = math.ceil(thing.count / link.rows)
             aisle = SIZES.between if kind.endswith(("desk", "table")) else SIZES.aisle * (height >= FLAT_HEIGHT)
@@ -241,14 +230,13 @@ def _blocks(wishes: Wishes, known: Known) -> Iterator[tuple[float, float]]:
             yield (ahead if watching else each * width + 2 * SIZES.around), ahead  # what they watch may be at any wall
 
 
-def _possible(shape: str, wished: Mapping[str, int], size: tuple[float, float], known: Known) -> None:
+def _possible(wishes: Wishes, wished: Mapping[str, int], size: tuple[float, float], known: Known) -> None:
     """Refuse wishes that no arrangement can meet."""
-    floor = size[0] * size[1] * (0.75 if shape == "L-shaped" else 1.0)
-    need = known.floor_area(wished)
-    if need > SIZES.fullest * floor:
+    there, need = floor(wishes, size), known.floor_area(wished)
+    if need > SIZES.fullest * there:
         things = ", ".join(f"{count} x {name}" for name, count in wished.items())
         raise SceneError(
-            f"{things} need {need:.1f} m2 of floor, and a room of {size[0]:g} x {size[1]:g} m has {floor:.1f} m2, of which "
+            f"{things} need {need:.1f} m2 of floor, and a room of {size[0]:g} x {size[1]:g} m has {there:.1f} m2, of which "
             f"{SIZES.fullest:.0%} can be furnished; ask for a room of at least {math.ceil(need / SIZES.fullest)} m2 or for fewer things."
         )
     for name in wished:
@@ -260,31 +248,26 @@ def _possible(shape: str, wished: Mapping[str, int], size: tuple[float, float], 
             )
 
 
-def _height(wishes: Wishes, room: RoomType, things: Iterable[Category]) -> float:
+def _height(wishes: Wishes, things: Iterable[Category]) -> float:
     """Return the wall height in metres: as asked, or as usual, or enough for the tallest thing."""
     tallest = max((kind.size[2] for kind in things), default=0.0)
     given = wishes.reading.measure("height")
-    return given[0] if given else max(room.height, math.ceil(10 * (1.07 * tallest + 0.2)) / 10)
+    return given[0] if given else max(wishes.room.height, math.ceil(10 * (1.07 * tallest + 0.2)) / 10)
 
 
-def _lowered(height: float, things: Iterable[Category]) -> Iterator[str]:
-    """Yield a sentence for each thing that is asked for and is made as low as the walls."""
-    for kind in things:
-        if kind.size[2] + SPARE > height:
-            yield f"The walls are {height:g} m high, so {kind.name} is {height - SPARE:g} m high, not {kind.size[2]:g} m."
-
-
-def _assumed(wishes: Wishes, room: RoomType, size: tuple[float, float]) -> tuple[str, ...]:
-    """Return a sentence for every choice that the reader made."""
-    found: list[str] = []
+def _assumed(wishes: Wishes, size: tuple[float, float], height: float, wished: Iterable[Category]) -> Iterator[str]:
+    """Yield a sentence for every choice that the reader made, and each thing that is made as low as the walls."""
+    room = wishes.room
     if wishes.reading.size is None:
-        found.append(f"No size was given: {size[0]:g} x {size[1]:g} m was chosen.")
+        yield f"No size was given: {size[0]:g} x {size[1]:g} m was chosen."
     if wishes.reading.agent is None:
         body = f"{room.agent} was taken, as usual there" if room.agent else "a disc of 0.30 m radius was taken"
-        found.append(f"No body was named: {body}.")
+        yield f"No body was named: {body}."
     if not wishes.reading.people and room.people:
-        found.append(f"No number of people was given: {_usual_people(wishes)} was chosen.")
-    return tuple(found)
+        yield f"No number of people was given: {_usual_people(wishes)} was chosen."
+    for kind in wished:
+        if kind.size[2] + SPARE > height:
+            yield f"The walls are {height:g} m high, so {kind.name} is {height - SPARE:g} m high, not {kind.size[2]:g} m."
 
 
 def _scene(
@@ -294,41 +277,23 @@ def _scene(
     width, depth = found.size
     outline = [(0.0, 0.0), (width, 0.0), (width, depth), (0.0, depth)]
     if found.shape == "L-shaped":
-        outline = [
-            (0.0, 0.0),
-            (width, 0.0),
-            (width, depth / 2),
-            (width / 2, depth / 2),
-            (width / 2, depth),
-            (0.0, depth),
-        ]
+        outline[2:3] = [(width, depth / 2), (width / 2, depth / 2), (width / 2, depth)]
     if rng.random() < 0.5:
         outline = [(width - x, y) for x, y in reversed(outline)]
-    wide = 3.0 if found.agent in ("forklift",) else 0.95 if width * depth < 30 else 1.1
-    doors, windows = openings(
-        outline,
-        wide,
-        Told(
-            wanted_openings(wishes.reading),
-            spoken_openings(wishes.reading, "door", OPENINGS.most_doors),
-            spoken_openings(wishes.reading, "window", OPENINGS.most_windows),
-            wishes.reading.flanked_door,
-            wishes.held(kinds),
-            wishes.held(kinds, SIZES.sill),
-            wishes.corners(kinds),
-        ),
-        rng,
-        found.height,
-        varied=varied,
-    )
+    wide = 3.0 if found.agent == "forklift" else 0.95 if width * depth < 30 else 1.1
+    doors, windows = openings(Room(tuple(outline), found.height), wishes, kinds, wide, rng, varied=varied)
     style = wishes.reading.style or str(rng.choice([palette.wood.name for palette in PALETTES]))
-    floor = wishes.reading.floor or str(rng.choice(wishes.room.floors))
+    covering = wishes.reading.floor or str(rng.choice(wishes.room.floors))
     things = both(found.wished, found.added)
     scene: dict[str, object] = {
         "dress": dressing(found.text),
         "task_description": found.text,
         "layout_criteria": "",
-        "boundary": {"floor_vertices": [[x, y, 0.0] for x, y in outline], "wall_height": found.height, "floor": floor},
+        "boundary": {
+            "floor_vertices": [[x, y, 0.0] for x, y in outline],
+            "wall_height": found.height,
+            "floor": covering,
+        },
         "doors": doors,
         "windows": windows,
         "assets": _assets([(kinds[name], count) for name, count in things.items()], found.height, style, wishes, rng),
@@ -376,6 +341,3 @@ def asset_entry(kind: Category, size: Sequence[float]) -> dict[str, object]:
         **own,
         **({"useSides": list(sides)} if sides is not None else {}),
     }
-
-
-__all__ = ["Understanding", "asset_entry", "scene_from_sentence"]
