@@ -7,15 +7,26 @@ broadcast; none has a branch, so gradients exist everywhere (one-sided at kinks)
 from __future__ import annotations
 
 import functools
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
-from robolayout._geometry._backend import Array, backend
+import numpy as np
 
 if TYPE_CHECKING:
     from jaxtyping import Float
 
+Array = Any  # A NumPy or JAX array
+
 SLANT = 0.5**0.5  # cosine of 45 degrees
 TINY = 1.0e-12  # added under square roots so that gradients stay finite at 0
+
+
+def backend(*values: Any) -> Any:
+    """Return the module whose functions take some arrays: `numpy` for its own, else `jax.numpy`, loaded when it is needed."""
+    if all(isinstance(value, np.ndarray | np.generic) for value in values):
+        return np
+    import jax.numpy as jnp
+
+    return jnp
 
 
 class Body(NamedTuple):
@@ -119,3 +130,19 @@ def point_to_box(px: Float[Array, "*batch"], py: Float[Array, "*batch"], box: Bo
     v = xp.abs(box.c * dy - box.s * dx) - box.hy
     outside = xp.sqrt(xp.maximum(u, 0.0) ** 2 + xp.maximum(v, 0.0) ** 2 + TINY)
     return outside + xp.minimum(xp.maximum(u, v), 0.0)
+
+
+def signed_distance(
+    px: Float[Array, "*batch"], py: Float[Array, "*batch"], edges: Float[Array, "edges 4"]
+) -> Float[Array, "*batch"]:
+    """Return the signed distance of points to a polygon in metres, negative inside; `edges` (x1, y1, x2, y2) may have no length."""
+    xp = backend(px)
+    x1, y1, x2, y2 = (edges[:, i] for i in range(4))
+    ex, ey = x2 - x1, y2 - y1
+    wx, wy = px[..., None] - x1, py[..., None] - y1
+    t = xp.clip((wx * ex + wy * ey) / (ex * ex + ey * ey + TINY), 0.0, 1.0)
+    squared = xp.min((wx - t * ex) ** 2 + (wy - t * ey) ** 2, axis=-1)
+    above1, above2 = py[..., None] >= y1, py[..., None] >= y2
+    crosses = (above1 != above2) & ((ex * wy - ey * wx > 0) == (y2 > y1))
+    inside = xp.sum(crosses, axis=-1) % 2 == 1
+    return xp.where(inside, -1.0, 1.0) * xp.sqrt(squared + TINY)

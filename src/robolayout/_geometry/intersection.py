@@ -14,8 +14,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from robolayout._geometry._backend import Array, backend
-from robolayout._geometry.boxes import Body, corners
+from robolayout._geometry.boxes import Array, Body, backend, corners
 
 if TYPE_CHECKING:
     from jaxtyping import Float
@@ -24,20 +23,15 @@ TOUCH = 1.0e-9  # metres within which an edge lies on an outline
 LEVEL = 1.0e-6  # metres of rise within which an edge runs alongside a side
 
 
-def intersection_area(a: Body, b: Body) -> Float[Array, "*batch"]:
-    """Return the area in square metres that two boxes have in common."""
+def intersection_over_union(a: Body, b: Body) -> Float[Array, "*batch"]:
+    """Return the shared area over the area that the two cover together: 0 apart, 1 for the same box."""
     xp = backend(a.x, b.x)
     # The pieces are measured from a's centre, so that far from the origin no digits are lost.
     ax, ay = (value - centre[..., None] for value, centre in zip(corners(a), (a.x, a.y), strict=True))
     bx, by = (value - centre[..., None] for value, centre in zip(corners(b), (a.x, a.y), strict=True))
     of_a = _pieces(ax, ay, b._replace(x=b.x - a.x, y=b.y - a.y), first=True)
     of_b = _pieces(bx, by, a._replace(x=xp.zeros_like(a.x), y=xp.zeros_like(a.y)), first=False)
-    return xp.maximum(0.5 * (of_a + of_b), 0.0)
-
-
-def intersection_over_union(a: Body, b: Body) -> Float[Array, "*batch"]:
-    """Return the shared area over the area that the two cover together: 0 apart, 1 for the same box."""
-    shared = intersection_area(a, b)
+    shared = xp.maximum(0.5 * (of_a + of_b), 0.0)
     return shared / (4.0 * (a.hx * a.hy + b.hx * b.hy) - shared)
 
 

@@ -13,8 +13,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, NamedTuple
 
-from robolayout._geometry._backend import Array, backend
-from robolayout._geometry.boxes import TINY, Body
+from robolayout._geometry.boxes import TINY, Array, Body, backend
 
 if TYPE_CHECKING:
     from jaxtyping import Bool, Float

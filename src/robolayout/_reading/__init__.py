@@ -10,7 +10,6 @@ from robolayout._reading.check import misspelt as misspelt
 from robolayout._reading.check import show as show
 from robolayout._reading.files import MESH_SUFFIXES as MESH_SUFFIXES
 from robolayout._reading.files import inside as inside
-from robolayout._reading.files import is_file as is_file
 from robolayout._reading.files import regular_bytes as regular_bytes
 from robolayout._reading.limits import LIMITS as LIMITS
 from robolayout._reading.syntax import Unreadable as Unreadable

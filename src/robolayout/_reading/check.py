@@ -15,7 +15,7 @@ from pathlib import Path
 from typing import TypeVar, cast
 
 from robolayout._errors import RoboLayoutError
-from robolayout._reading.files import is_folder, regular_bytes
+from robolayout._reading.files import regular_bytes
 from robolayout._reading.limits import LIMITS
 from robolayout._reading.syntax import Unreadable, check_plain, decoded, json_value, toml_value
 
@@ -32,7 +32,7 @@ def show(value: object) -> str:
 
 def _meant(path: Path) -> str:
     """Return which file beside a missing one may be meant, as the begin of a sentence; nothing where none is like it."""
-    if not is_folder(path.parent):
+    if not os.path.isdir(path.parent):
         return ""
     try:
         near = difflib.get_close_matches(
@@ -69,6 +69,17 @@ class Checker:
         if key not in data:
             raise self.error(f'{where} has no "{key}"; add it.')
         return data[key]
+
+    def inner(self, data: Mapping[str, object], key: str, where: str, place: str = "") -> Mapping[str, object]:
+        """Return the object at `data[key]`, which must be there; messages about it call it `place`."""
+        return self.mapping(self.required(data, key, where), place or f"{where}: {key}")
+
+    def bounding_box(self, data: Mapping[str, object], where: str) -> tuple[object, object, object]:
+        """Return x, y and z of the box in an asset's metadata, not yet checked."""
+        place = f"{where}: assetMetadata"
+        box = self.inner(self.inner(data, "assetMetadata", where), "boundingBox", place, f"{place}.boundingBox")
+        x, y, z = (self.required(box, axis, f"{place}.boundingBox") for axis in "xyz")
+        return x, y, z
 
     def number(
         self,
@@ -134,7 +145,7 @@ class Checker:
 
     def read_bytes(self, path: Path, what: str, most: int = LIMITS.file_bytes) -> bytes:
         """Return the content of a regular file of at most `most` bytes."""
-        if is_folder(path):
+        if os.path.isdir(path):
             raise self.error(f"{what} {path} is a folder; name the file in it{_such_as(path, what)}.")
         if not os.path.lexists(path):
             shown = str(path) if len(str(path)) <= LIMITS.shown else f"{str(path)[: LIMITS.shown]}..."

@@ -16,7 +16,7 @@ _HOW = os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0)
 
 def regular_bytes(path: Path, most: int) -> bytes:
     """Return the content of a regular file of at most `most` bytes; raises `Unreadable` for anything else."""
-    if is_folder(path):
+    if os.path.isdir(path):
         raise Unreadable("is a folder")
     try:
         descriptor = os.open(path, _HOW)
@@ -46,20 +46,4 @@ def inside(path: Path, folders: Iterable[Path]) -> bool:
     try:
         return any(path.resolve().is_relative_to(folder.resolve()) for folder in folders)
     except (OSError, ValueError, RuntimeError):  # too long, a null byte, a loop of links
-        return False
-
-
-def is_file(path: Path) -> bool:
-    """Return whether `path` is a file; a path that cannot exist is none."""
-    try:
-        return path.is_file()
-    except (OSError, ValueError):
-        return False
-
-
-def is_folder(path: Path) -> bool:
-    """Return whether `path` is a folder; a path that cannot exist is none."""
-    try:
-        return path.is_dir()
-    except (OSError, ValueError):
         return False

@@ -95,10 +95,7 @@ def _check_views(views: list[Entry], length: int) -> None:
         if _whole(view, "byteOffset", where, 0) + size > length:
             raise _broken(f"{where} reaches beyond the file")
         total += size
-    if total > LIMITS.unpacked:
-        raise Unreadable(
-            f"promises {total / 1e6:.0f} MB of numbers; at most {LIMITS.unpacked // 1_000_000} MB are read"
-        )
+    _check_size(total)
 
 
 def _check_accessors(accessors: list[Entry], views: list[Entry]) -> None:
@@ -117,18 +114,21 @@ def _check_accessors(accessors: list[Entry], views: list[Entry]) -> None:
         end = _whole(accessor, "byteOffset", where, 0) + (count - 1) * stride + row
         if count and end > view["byteLength"]:
             raise _broken(f"{where} reaches beyond its view")
-    if total > LIMITS.unpacked:
-        raise Unreadable(
-            f"promises {total / 1e6:.0f} MB of numbers; at most {LIMITS.unpacked // 1_000_000} MB are read"
-        )
+    _check_size(total)
+
+
+def _check_size(size: int) -> None:
+    if size > LIMITS.unpacked:
+        raise Unreadable(f"promises {size / 1e6:.0f} MB of numbers; at most {LIMITS.unpacked // 1_000_000} MB are read")
 
 
 def _check_triangles(lists: Mapping[str, list[Entry]], most: int) -> None:
     """Raise for nodes that are no trees and for meshes that unfold to more than `most` triangles."""
     counts = [int(accessor["count"]) for accessor in lists["accessors"]]
-    corners: list[int] = []
-    for i, mesh in enumerate(lists["meshes"]):
-        corners.append(sum(_corners(part, f"meshes[{i}]", counts) for part in _entries(mesh, "primitives")))
+    corners = [
+        sum(_corners(part, f"meshes[{i}]", counts) for part in _entries(mesh, "primitives"))
+        for i, mesh in enumerate(lists["meshes"])
+    ]
     used: list[int] = []
     for i, node in enumerate(lists["nodes"]):
         children = node.get("children", [])

@@ -6,6 +6,7 @@ What is found comes with how sure it is; `corrections.json` in the folder says w
 from __future__ import annotations
 
 import math
+import os
 import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
@@ -17,7 +18,7 @@ from typing import Any
 import numpy as np
 
 from robolayout._errors import AssetError, UnknownNameError
-from robolayout._reading import LIMITS, MESH_SUFFIXES, Checker, is_file, regular_bytes
+from robolayout._reading import LIMITS, MESH_SUFFIXES, Checker, regular_bytes
 from robolayout._reading.syntax import decoded, json_value
 from robolayout.assets.category import Category
 from robolayout.assets.lexicon import find_category
@@ -96,7 +97,7 @@ def import_folder(directory: Path, *, front: str | None = None, up: str | None =
 def _corrections(directory: Path, files: Mapping[str, Path]) -> dict[str, Mapping[str, Any]]:
     """Return what the user says of single files, by path."""
     path = directory / CORRECTIONS
-    if not is_file(path):
+    if not os.path.isfile(path):
         return {}
     said = _json(path)
     astray = [name for name in said if name not in files]
@@ -119,7 +120,11 @@ def _unsure(name: str, entry: Mapping[str, Any]) -> Iterator[str]:
 
 def _mesh_files(directory: Path) -> Iterator[Path]:
     """Yield mesh files below a folder in the order of their names; links are not followed."""
-    found = (p for p in directory.rglob("*") if p.suffix.lower() in MESH_SUFFIXES and is_file(p) and not p.is_symlink())
+    found = (
+        p
+        for p in directory.rglob("*")
+        if p.suffix.lower() in MESH_SUFFIXES and os.path.isfile(p) and not p.is_symlink()
+    )
     root = directory.resolve()
     inside = sorted(p for p in found if p.resolve().is_relative_to(root))
     if len(inside) > LIMITS.folder_files:
@@ -225,11 +230,11 @@ def _unit(edges: Size, category: Category) -> tuple[str, float]:
 def _guess(path: Path) -> Guess:
     """Collect the words about a mesh: objathor's data.json, a JSON file beside it, else its file and folder names."""
     beside = path.with_name("data.json")
-    if is_file(beside) and path.stem == path.parent.name:
+    if os.path.isfile(beside) and path.stem == path.parent.name:
         return _objathor(path, _json(beside))
     words = _words(path.stem) or _words(path.parent.name)
     sidecar = path.with_suffix(".json")
-    if not is_file(sidecar):
+    if not os.path.isfile(sidecar):
         return Guess(words or "asset", words, {})
     category, description, flags = _said(_json(sidecar), sidecar.name)
     return Guess(category or words or "asset", description or words, flags)
@@ -263,13 +268,10 @@ def _objathor(path: Path, data: Mapping[str, Any]) -> Guess:
     Where `frontView` says that the front is a quarter turn away, width and depth change places.
     """
     where = f"{path.parent.name}/data.json"
-    notes = _CHECK.mapping(_CHECK.required(data, "annotations", where), f"{where}: annotations")
-    metadata = _CHECK.mapping(_CHECK.required(data, "assetMetadata", where), f"{where}: assetMetadata")
-    place = f"{where}: assetMetadata.boundingBox"
-    edges = _CHECK.mapping(_CHECK.required(metadata, "boundingBox", f"{where}: assetMetadata"), place)
+    notes = _CHECK.inner(data, "annotations", where)
     across, along, height = (
-        _CHECK.number(_CHECK.required(edges, key, place), f"{place}.{key}", above=0.0, most=LIMITS.largest_side)
-        for key in "xyz"
+        _CHECK.number(edge, f"{where}: assetMetadata.boundingBox.{key}", above=0.0, most=LIMITS.largest_side)
+        for key, edge in zip("xyz", _CHECK.bounding_box(data, where), strict=True)
     )
     turns = _CHECK.number(notes.get("frontView", 0), f"{where}: annotations.frontView", least=0.0, most=1000.0)
     view = VIEWS[int(turns) % 4]

@@ -5,6 +5,7 @@ from __future__ import annotations
 import dataclasses
 import importlib.util
 import inspect
+import os
 import sys
 import traceback
 from collections.abc import Iterator, Mapping
@@ -13,7 +14,6 @@ from types import MappingProxyType, ModuleType
 from typing import TypeVar
 
 from robolayout._errors import InputError
-from robolayout._reading import is_file
 from robolayout.constraints._relation import Relation
 
 _KNOWN: dict[str, type[Relation]] = {}
@@ -47,7 +47,7 @@ def register_file(path: str | Path) -> tuple[type[Relation], ...]:
     path = Path(path)
     name = f"robolayout_relations_{path.stem}"
     spec = importlib.util.spec_from_file_location(name, path)
-    if not is_file(path) or spec is None or spec.loader is None:
+    if not os.path.isfile(path) or spec is None or spec.loader is None:
         raise InputError(f"{path} is no Python file; relations are read from a file such as my_relations.py.")
     module = sys.modules[name] = importlib.util.module_from_spec(spec)
     try:

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any, cast
 
 from robolayout._errors import InputError
-from robolayout._reading import Checker, is_file
+from robolayout._reading import Checker
 from robolayout.many.room import NOTE
 from robolayout.many.states import FORMAT, read_state
 from robolayout.run.result import Result, judge, load_judged
@@ -71,14 +71,14 @@ def _here(here: Path, names: list[str], files: Sequence[str], scenes: Path | Non
     if "scene.json" in files and "layout.json" in files:
         yield Found("", here, None, _facts(here / NOTE))
         return
-    if scenes is not None and "layout.json" in files and is_file(scenes / f"{here.name}.json"):
+    if scenes is not None and "layout.json" in files and os.path.isfile(scenes / f"{here.name}.json"):
         yield Found("", here / "layout.json", scenes / f"{here.name}.json")
     for file in sorted(files):
         path = here / file
         if not file.endswith(".json") or file.endswith("layout.json"):
             continue
         places = (f"{path.stem}.layout.json", f"{path.stem}_layout.json", f"{path.stem}/layout.json")
-        layout = next((here / place for place in places if is_file(here / place)), None)
+        layout = next((here / place for place in places if os.path.isfile(here / place)), None)
         if layout is not None:
             yield Found("", layout, path)
             names[:] = [name for name in names if here / name != layout.parent]
@@ -94,7 +94,7 @@ def _is_state(path: Path) -> bool:
 
 def _facts(note: Path) -> dict[str, Any]:
     """Return what a batch drew for a room."""
-    if not is_file(note):
+    if not os.path.isfile(note):
         return {}
     row = cast("dict[str, Any]", _CHECK.mapping(_CHECK.read_json(note, "room"), f"room {note}").get("row", {}))
     return {

@@ -255,7 +255,7 @@ def _catalogues(names: Sequence[str], base: Path) -> tuple[dict[str, tuple[Mappi
             data, home = import_folder(file), file
         else:
             data = _CHECK.mapping(_CHECK.read_json(file, "catalogue"), f"catalogue {name}")
-        entries = _CHECK.mapping(_CHECK.required(data, "assets", f"catalogue {name}"), f"catalogue {name}: assets")
+        entries = _CHECK.inner(data, "assets", f"catalogue {name}")
         for key, entry in entries.items():
             found = dict(_CHECK.mapping(entry, f"catalogue {name}: {key}"))
             path = _CHECK.text(_CHECK.required(found, "path", f"catalogue {name}: {key}"), f"{name}: {key}: path")

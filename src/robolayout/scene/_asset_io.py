@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import os
 import unicodedata
 from collections.abc import Iterable, Mapping
 from pathlib import Path
 
 from robolayout._errors import SceneError
-from robolayout._reading import LIMITS, MESH_SUFFIXES, Checker, inside, is_file, misspelt, show
+from robolayout._reading import LIMITS, MESH_SUFFIXES, Checker, inside, misspelt, show
 from robolayout._text import printable
 from robolayout.scene import reference
 from robolayout.scene._catalogue import described, find_catalogue
@@ -30,7 +31,7 @@ def read_assets(
         asset_dir: Folder of assets, for meshes and for keys of the form `<uid>-<n>`.
         warnings: Gets a sentence for everything that was mended.
     """
-    entries = _CHECK.mapping(_CHECK.required(data, "assets", "the scene"), "assets")
+    entries = _CHECK.inner(data, "assets", "the scene", "assets")
     if not 0 < len(entries) <= LIMITS.assets:
         raise SceneError(f"the scene has {len(entries)} assets; from 1 to {LIMITS.assets} are allowed.")
     folders = [folder for folder in (base, asset_dir) if folder is not None]
@@ -135,12 +136,10 @@ def _asset(name: str, entry: Mapping[str, object], folders: list[Path], warnings
 
 
 def _size(entry: Mapping[str, object], where: str) -> tuple[float, float, float]:
-    metadata = _CHECK.mapping(entry["assetMetadata"], f"{where}: assetMetadata")
-    place = f"{where}: assetMetadata.boundingBox"
-    box = _CHECK.mapping(_CHECK.required(metadata, "boundingBox", f"{where}: assetMetadata"), place)
     sides: list[float] = []
-    for axis, meaning in (("x", "depth"), ("y", "width"), ("z", "height")):
-        value, label = _CHECK.required(box, axis, place), f"{where}: {meaning} (boundingBox.{axis})"
+    meanings = ("depth (boundingBox.x)", "width (boundingBox.y)", "height (boundingBox.z)")
+    for value, meaning in zip(_CHECK.bounding_box(entry, where), meanings, strict=True):
+        label = f"{where}: {meaning}"
         sides.append(_CHECK.number(value, label, above=0.0, most=LIMITS.largest_side))
         if sides[-1] < LIMITS.smallest_side:
             raise SceneError(f"{label} is {sides[-1]:g} m; sizes are in metres, at least {LIMITS.smallest_side:g}.")
@@ -173,7 +172,7 @@ def _mesh(value: object, where: str, folders: list[Path]) -> Path | None:
             "move the mesh there or name its folder with --asset-dir."
         )
     for place in allowed:
-        if is_file(place):
+        if os.path.isfile(place):
             _check_length(place, text, where)
             return place.resolve()
     raise SceneError(f"{where}: path {show(text)} does not exist; correct it or leave it out for a built-in shape.")

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import difflib
+import os
 from collections.abc import Iterable, Mapping
 from pathlib import Path
 
-from robolayout._errors import SceneError
-from robolayout._reading import Checker, inside, is_file, show
+from robolayout._errors import SceneError, did_you_mean
+from robolayout._reading import Checker, inside, show
 
 Entry = Mapping[str, object]  # one asset as a scene file gives it
 _CHECK = Checker(SceneError)
@@ -19,7 +19,7 @@ def find_catalogue(value: object, folders: Iterable[Path]) -> Path | None:
         return None
     text, places = _CHECK.text(value, "catalogue", most=1000), list(folders)
     for folder in places:
-        if "\0" not in text and inside(folder / text, places) and is_file(folder / text):
+        if "\0" not in text and inside(folder / text, places) and os.path.isfile(folder / text):
             return folder / text
     raise SceneError(
         f"catalogue {show(text)} is no file in the scene file's folder or the asset folder; correct the path, or write "
@@ -42,15 +42,15 @@ def described(entries: Mapping[str, Entry], catalogue: Path | None) -> dict[str,
             )
         return dict(entries)
     data = _CHECK.mapping(_CHECK.read_json(catalogue, "catalogue"), f"catalogue {catalogue.name}")
-    known = _CHECK.mapping(_CHECK.required(data, "assets", f"catalogue {catalogue.name}"), f"{catalogue.name}: assets")
+    known = _CHECK.inner(data, "assets", f"catalogue {catalogue.name}", f"{catalogue.name}: assets")
     found: dict[str, Entry] = {}
     for name, entry in entries.items():
         key = _CHECK.text(entry["from"], f"asset {show(name)}: from", most=200) if "from" in entry else name
         if "from" in entry and key not in known:
-            near = difflib.get_close_matches(key, known, n=1)
-            hint = f" Did you mean {near[0]!r}?" if near else ""
             listed = ", ".join(sorted(known)[:20]) + (", ..." if len(known) > 20 else "")
-            raise SceneError(f"asset {show(name)}: {catalogue.name} has no {show(key)}.{hint} It has: {listed}.")
+            raise SceneError(
+                f"asset {show(name)}: {catalogue.name} has no {show(key)}.{did_you_mean(key, known)} It has: {listed}."
+            )
         given = {k: v for k, v in entry.items() if k != "from"}
         takes = key in known and ("from" in entry or "assetMetadata" not in entry)
         found[name] = {**_CHECK.mapping(known[key], f"{catalogue.name}: {show(key)}"), **given} if takes else given

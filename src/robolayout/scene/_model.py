@@ -6,6 +6,7 @@ The file is hostile: entities and document types are refused, and other files ar
 from __future__ import annotations
 
 import math
+import os
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from importlib.util import find_spec
@@ -16,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robolayout._errors import AgentError, MissingExtraError
-from robolayout._reading import LIMITS, Checker, inside, is_file, regular_bytes, show
+from robolayout._reading import LIMITS, Checker, inside, regular_bytes, show
 from robolayout._reading.syntax import xml_root
 
 if TYPE_CHECKING:
@@ -104,7 +105,7 @@ class Model:
             folders = [folder for folder in (home, *home.parents[:4]) if folder.name == package] or folders
             where = f"a folder {show(package)} around the model"
         for folder in folders:
-            if inside(folder / rest, folders) and is_file(folder / rest):
+            if inside(folder / rest, folders) and os.path.isfile(folder / rest):
                 return (folder / rest).resolve()
         raise self.fail(f"{what} {show(filename)} is not in {where}; put it there.")
 

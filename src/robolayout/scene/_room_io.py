@@ -20,7 +20,7 @@ _CHECK = Checker(SceneError)
 
 def read_room(data: Mapping[str, object], warnings: list[str]) -> Room:
     """Return the room of a scene file; a clockwise one is turned around, with a warning."""
-    boundary = _CHECK.mapping(_CHECK.required(data, "boundary", "the scene"), "boundary")
+    boundary = _CHECK.inner(data, "boundary", "the scene", "boundary")
     vertices = _vertices(_CHECK.required(boundary, "floor_vertices", "boundary"))
     height = _CHECK.number(
         _CHECK.required(boundary, "wall_height", "boundary"), "boundary.wall_height", above=0.0, most=100.0

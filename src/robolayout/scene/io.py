@@ -6,12 +6,11 @@ without guessing is mended with a warning in `Scene.warnings`; everything else i
 
 from __future__ import annotations
 
-import difflib
 import math
 from collections.abc import Mapping
 from pathlib import Path
 
-from robolayout._errors import LayoutError, SceneError
+from robolayout._errors import LayoutError, SceneError, did_you_mean
 from robolayout._reading import LIMITS, Checker, misspelt, show
 from robolayout.scene._asset_io import read_assets, write_asset
 from robolayout.scene._room_io import read_room, write_room
@@ -105,8 +104,7 @@ def check_layout(scene: Scene, layout: Layout, *, partial: bool) -> None:
     """Refuse a layout with a thing that its scene does not have, a pose that is not finite, or unless `partial` too few poses."""
     for name, pose in layout.items():
         if name not in scene.by_name:
-            near = difflib.get_close_matches(name[:200], scene.by_name, n=1)
-            hint = f" Did you mean {near[0]!r}?" if near else ""
+            hint = did_you_mean(name[:200], scene.by_name)
             known = ", ".join(sorted(scene.by_name)) or "none"
             raise LayoutError(f"the layout places {show(name)}, which is not in the scene.{hint} Known: {known}.")
         if not pose.is_finite:

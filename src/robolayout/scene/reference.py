@@ -7,11 +7,12 @@ is the width and y the depth, so they are swapped here, once. Names come from th
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterable, Mapping
 from pathlib import Path
 
 from robolayout._errors import AssetError
-from robolayout._reading import Checker, inside, is_file, show
+from robolayout._reading import Checker, inside, show
 from robolayout.scene.asset import variable_name
 
 Entry = dict[str, object]  # one asset as a scene file gives it
@@ -36,27 +37,20 @@ def _entry(uid: str, asset_dir: Path) -> Entry:
     if Path(uid).name != uid or not inside(folder, [asset_dir]):
         raise AssetError(f"asset uid {show(uid)} is not the name of a folder inside {asset_dir}.")
     path = folder / "data.json"
-    if not is_file(path):
+    if not os.path.isfile(path):
         raise AssetError(f"asset {show(uid)} is missing: there is no {path}; check --asset-dir.")
     where = f"{uid}/data.json"
     data = _CHECK.mapping(_CHECK.read_json(path, "asset file"), where)
-    annotations = _CHECK.mapping(_CHECK.required(data, "annotations", where), f"{where}: annotations")
+    annotations = _CHECK.inner(data, "annotations", where)
     category = _CHECK.required(annotations, "category", f"{where}: annotations")
     entry: Entry = {"category": _CHECK.text(category, f"{where}: category", most=200), "uid": uid}
     entry |= {key: annotations[key] for key in _COPIED if key in annotations}
-    entry["assetMetadata"] = {"boundingBox": _swapped(data, where)}
+    width, depth, height = _CHECK.bounding_box(data, where)
+    entry["assetMetadata"] = {"boundingBox": {"x": depth, "y": width, "z": height}}
     mesh = folder / f"{uid}.glb"
-    if is_file(mesh):
+    if os.path.isfile(mesh):
         entry["path"] = str(mesh.resolve())
     return entry
-
-
-def _swapped(data: Mapping[str, object], where: str) -> dict[str, object]:
-    metadata = _CHECK.mapping(_CHECK.required(data, "assetMetadata", where), f"{where}: assetMetadata")
-    place = f"{where}: assetMetadata.boundingBox"
-    box = _CHECK.mapping(_CHECK.required(metadata, "boundingBox", f"{where}: assetMetadata"), place)
-    width, depth, height = (_CHECK.required(box, axis, place) for axis in "xyz")
-    return {"x": depth, "y": width, "z": height}
 
 
 def _variables(entries: Mapping[str, Entry]) -> dict[str, str]:
