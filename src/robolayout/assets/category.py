@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import tomllib
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
+from types import MappingProxyType
 from typing import Any
 
 from robolayout._errors import AssetError
@@ -103,39 +104,9 @@ def _category(name: str, entry: Any, group: str) -> Category:
     return Category(name, synonyms, (depth, width, height), use_sides=sides, group=group, **flags, **rest)
 
 
-@cache
-def built_in_data() -> Mapping[str, Mapping[str, Any]]:
-    """Read all built-in data files by their stems, in alphabetical order: groups, roles and records."""
-    return {path.stem: _data(path) for path in sorted((DATA / "things").glob("*.toml"))}
-
-
-@cache
-def built_in_categories() -> Mapping[str, Category]:
-    """Return all built-in categories by name, in the order of the files and their records."""
-    found: dict[str, Category] = {}
-    for group, data in built_in_data().items():
-        for category in _categories(data, group):
-            if category.name in found:
-                raise AssetError(f"category {category.name!r} is in group {found[category.name].group!r} and in group "
-                                 f"{group!r}; give one of them another name.")  # fmt: skip
-            found[category.name] = category
-    return found
-
-
-class Catalogue(Mapping[str, Category]):
-    """The built-in categories by name; read from disk when first looked at."""
-
-    def __getitem__(self, name: str) -> Category:
-        return built_in_categories()[name]
-
-    def __iter__(self) -> Iterator[str]:
-        return iter(built_in_categories())
-
-    def __len__(self) -> int:
-        return len(built_in_categories())
-
-    def __repr__(self) -> str:
-        return f"<catalogue of {len(self)} categories>"
-
-
-CATALOGUE: Mapping[str, Category] = Catalogue()  # all built-in categories by name
+BUILT_IN = {path.stem: _data(path) for path in sorted((DATA / "things").glob("*.toml"))}
+"""What the built-in data files say, by their stems: groups, roles and records."""
+CATALOGUE: Mapping[str, Category] = MappingProxyType(
+    {kind.name: kind for group, data in BUILT_IN.items() for kind in _categories(data, group)}
+)
+"""All built-in categories by name, in the order of the files and their records."""

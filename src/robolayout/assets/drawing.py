@@ -17,7 +17,7 @@ from robolayout._text import utf8
 from robolayout.assets.fronts import doors, drawers
 from robolayout.assets.palette import Piece, material_of
 from robolayout.assets.part import Material, Part
-from robolayout.assets.shapes import ball, box, cylinder, moved, prism, soft
+from robolayout.assets.shapes import ball, box, cylinder, prism, soft, spun
 
 Place = dict[str, list[float]]
 """What a row says for one size, by field: the two ends along an axis, radii, how it leans; metres."""
@@ -172,18 +172,18 @@ def _made(p: Piece, row: Row, material: Material, place: Place) -> Iterable[Part
     if row.shape in FRONTS:
         (y0, y1), (z0, z1) = place["y"], place["z"]
         numbers = {key: round(place[key][0]) for key in ("count", "low", "rows", "columns", "knobs") if key in place}
-        ahead = place["x"][0] if "x" in place else p.x[1]
+        ahead = place["x"][0] if "x" in place else p.d / 2
         return FRONTS[row.shape](material, p.palette.metal, ahead, ((y0, y1), (z0, z1)), **numbers)
     part = _one(row, material, place)
     for key, (low, high) in ((key, ends) for key, ends in place.items() if "/" in key):
         moves, along = ("xyz".index(axis) for axis in key.split("/"))
         ends = part.vertices[:, along].min(), part.vertices[:, along].max()
         part.vertices[:, moves] += low + (high - low) * (part.vertices[:, along] - ends[0]) / (ends[1] - ends[0])
-    return [moved(part, turn=math.radians(place["turn"][0])) if "turn" in place else part]
+    return [spun(part, math.radians(place["turn"][0])) if "turn" in place else part]
 
 
 def _one(row: Row, material: Material, place: Place) -> Part:
-    """Return the part of one place, as it stands before it leans or is turned."""
+    """Return the part of one place, as it stands before it leans or is spun."""
     options: dict[str, Any] = {key: place[key][0] for key in ("bevel", "rings", "sides") if key in place}
     options |= {"top": place["top"]} if "top" in place else {}
     if row.shape in SOLIDS:

@@ -10,12 +10,11 @@ from __future__ import annotations
 import math
 import re
 import unicodedata
-from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import cache, lru_cache
 
 from robolayout._reading import LIMITS
-from robolayout.assets.category import PLACES, Category, built_in_categories, read_data
+from robolayout.assets.category import CATALOGUE, PLACES, Category, read_data
 from robolayout.scene import FLAT_HEIGHT, Asset
 
 Size = tuple[float, float, float]
@@ -26,16 +25,6 @@ ODD_SIZE = math.log(4.0)
 ENGLISH = read_data("english.toml")
 BREAKS = frozenset(ENGLISH["breaks"])  # words after which no head noun is expected
 PLAIN = re.compile(r"[a-z0-9]+(?: [a-z0-9]+)*")  # a phrase that is spelled as the index spells it already
-
-
-@dataclass(frozen=True)
-class Match:
-    """A phrase found in a text: its segment (0 before the first preposition), token span and candidate categories."""
-
-    segment: int
-    start: int
-    end: int
-    names: tuple[str, ...]
 
 
 def find_category(
@@ -94,10 +83,9 @@ def place_of(asset: Asset) -> str | None:
 
 def _from_words(text: str, size: Size | None, place: str | None, own: tuple[Category, ...]) -> Category | None:
     """Return the category of the best phrase in `text`, or None."""
-    matches = _matches(_segments(text), _index_of(own))
-    matches.sort(key=lambda m: (m.segment, -m.end, m.start))
-    catalogue = {**built_in_categories(), **{category.name: category for category in own}}
-    found = [_choose([catalogue[name] for name in match.names], size, place) for match in matches]
+    catalogue = {**CATALOGUE, **{category.name: category for category in own}}
+    matches = sorted(_matches(_segments(text), _index_of(own)))
+    found = [_choose([catalogue[name] for name in names], size, place) for *_, names in matches]
     fitting = [category for category in found if size is None or _mismatch(category, size) < ODD_SIZE]
     return next(iter(fitting or found), None)
 
@@ -114,9 +102,10 @@ def _segments(text: str) -> list[list[str]]:
     return [segment for segment in segments if segment]
 
 
-def _matches(segments: Sequence[Sequence[str]], own: Mapping[str, tuple[str, ...]]) -> list[Match]:
-    """Return every known phrase of the segments, maximal ones only."""
-    matches: list[Match] = []
+def _matches(
+    segments: Sequence[Sequence[str]], own: Mapping[str, tuple[str, ...]]
+) -> Iterator[tuple[int, int, tuple[str, ...]]]:
+    """Yield known phrases, maximal ones only: the segment (0 before the first preposition), minus the end, the categories."""
     number = offset = 0
     for tokens in segments:
         covered = 0
@@ -126,11 +115,10 @@ def _matches(segments: Sequence[Sequence[str]], own: Mapping[str, tuple[str, ...
             for end in range(min(len(tokens), start + LONGEST_PHRASE), start, -1):
                 names = _lookup(tokens[start:end], own)
                 if names and end > covered:
-                    matches.append(Match(number, offset + start, offset + end, names))
+                    yield number, -offset - end, names
                     covered = end
                     break
         number, offset = number + 1, offset + len(tokens)
-    return matches
 
 
 def _lookup(tokens: Sequence[str], own: Mapping[str, tuple[str, ...]]) -> tuple[str, ...]:
@@ -164,11 +152,10 @@ def _mismatch(category: Category, size: Size) -> float:
 
 def _from_size(size: Size | None, place: str | None) -> Category:
     """Return the category of a thing that no word explains, from where it goes and how large it is."""
-    catalogue = built_in_categories()
     fixed = {"wall": "unknown wall decor", "ceiling": "unknown ceiling item"}
     if place in fixed:
-        return catalogue[fixed[place]]
-    return catalogue["unknown furniture" if size is None else _shape_name(size)]
+        return CATALOGUE[fixed[place]]
+    return CATALOGUE["unknown furniture" if size is None else _shape_name(size)]
 
 
 def _shape_name(size: Size) -> str:
@@ -218,10 +205,9 @@ def _index_of(own: tuple[Category, ...]) -> dict[str, tuple[str, ...]]:
 @cache
 def phrase_index() -> dict[str, tuple[str, ...]]:
     """Build the phrase table: ambiguous words, then names, synonyms and WordNet's words; earlier entries win."""
-    catalogue = built_in_categories()
     known = [(word, tuple(names)) for word, names in read_data("ambiguous.toml").items()]
-    known += [(name, (name,)) for name in catalogue if not name.startswith("unknown ")]
-    known += [(word, (category.name,)) for category in catalogue.values() for word in category.synonyms]
+    known += [(name, (name,)) for name in CATALOGUE if not name.startswith("unknown ")]
+    known += [(word, (category.name,)) for category in CATALOGUE.values() for word in category.synonyms]
     known += [(word, (name,)) for name, entry in read_data("wordnet.toml").items() for word in entry["words"]]
     return _index(known)
 

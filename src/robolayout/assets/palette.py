@@ -38,15 +38,13 @@ def material_from(entry: str | Mapping[str, Any]) -> Material:
 
 def _palette(entry: Mapping[str, Any]) -> Palette:
     """Return a palette; single materials are named or written out, cloths are rows of colours."""
-    found: dict[str, Any] = {}
-    for key, value in entry.items():
-        if isinstance(value, list):
-            found[key] = tuple(
-                Material(f"fabric {i}", tuple(color), CLOTH, texture="weave") for i, color in enumerate(value)
-            )
-        else:
-            found[key] = material_from(value)
-    return Palette(**found)
+
+    def read(value: Any) -> Material | tuple[Material, ...]:
+        if not isinstance(value, list):
+            return material_from(value)
+        return tuple(Material(f"fabric {i}", tuple(color), CLOTH, texture="weave") for i, color in enumerate(value))
+
+    return Palette(**{key: read(value) for key, value in entry.items()})  # type: ignore[arg-type]
 
 
 _FILE = read_data("materials.toml")
@@ -86,20 +84,6 @@ class Piece:
     variant: int  # A number from 0 to 11 that picks the style
     key: str  # text that seeds what differs between two assets of one list (books on shelves)
 
-    @property
-    def x(self) -> tuple[float, float]:
-        """Back and front."""
-        return (-self.d / 2, self.d / 2)
-
-    @property
-    def y(self) -> tuple[float, float]:
-        """Right and left."""
-        return (-self.w / 2, self.w / 2)
-
-    def rng(self) -> random.Random:
-        """Return a fresh generator for the details of this very asset."""
-        return random.Random(utf8(self.key))
-
 
 CHOSEN: Mapping[str, Callable[[Piece], Material]] = {
     "wood": lambda p: p.palette.wood,
@@ -109,7 +93,7 @@ CHOSEN: Mapping[str, Callable[[Piece], Material]] = {
     "fabric": lambda p: p.fabric,
     "accent": lambda p: p.accent,
     "bedding": lambda p: p.bedding,
-    "cloth": lambda p: PLAIN[p.rng().choice(GROUPS["spines"])],
+    "cloth": lambda p: PLAIN[random.Random(utf8(p.key)).choice(GROUPS["spines"])],
 }
 """What the room or the thing itself chooses, by the names that rows use."""
 MATERIALS = (*PLAIN, *CHOSEN)  # everything that rows may name

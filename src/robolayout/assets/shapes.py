@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from dataclasses import replace
 from functools import cache
 from itertools import product
 
@@ -96,11 +97,10 @@ def ball(name: str, material: Material, x: Range, y: Range, z: Range, *, rings: 
     return Part(name, (low + high) / 2 + points * (high - low) / 2, faces, material)
 
 
-def moved(part: Part, *, turn: float = 0.0, offset: tuple[float, float, float] = (0.0, 0.0, 0.0)) -> Part:
-    """Return a part turned by `turn` radians about the z axis through the origin, then moved by `offset`."""
+def spun(part: Part, turn: float) -> Part:
+    """Return a part turned by `turn` radians about the z axis through the origin."""
     c, s = math.cos(turn), math.sin(turn)
-    matrix = np.array([[c, s, 0.0], [-s, c, 0.0], [0.0, 0.0, 1.0]])
-    return Part(part.name, part.vertices @ matrix + np.array(offset), part.faces, part.material, part.convex)
+    return replace(part, vertices=part.vertices @ [[c, s, 0.0], [-s, c, 0.0], [0.0, 0.0, 1.0]])
 
 
 def _corners(x: Range, y: Range, z: Range) -> tuple[Array, Array]:

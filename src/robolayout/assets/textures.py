@@ -10,7 +10,7 @@ import io
 import zlib
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import lru_cache, partial
 
 import numpy as np
 from numpy.typing import NDArray
@@ -33,6 +33,7 @@ class TileConfig:
 
 
 TILE = TileConfig()
+Noise = Callable[[float, float], Array]  # seamless noise with features so many parts of the tile long and wide
 
 
 @dataclass(frozen=True)
@@ -42,32 +43,26 @@ class Tile:
     metres: float  # edge of the square that one tile covers
     contrast: float  # standard deviation of its linear values, as a share of their mean
     # makes its values (SIDE, SIDE) of any scale from two ramps u, v in [0, 1) and a source of noise
-    draw: Callable[[Array, Array, _Noise], Array]
+    draw: Callable[[Array, Array, Noise], Array]
 
 
-class _Noise:
-    """Seamless noise of one tile."""
-
-    def __init__(self, name: str) -> None:
-        self._rng = np.random.default_rng(zlib.crc32(name.encode()))
-
-    def __call__(self, along: float, across: float) -> Array:
-        """Return noise (SIDE, SIDE) of unit deviation whose features are so many parts of the tile long and wide."""
-        waves = np.fft.fftfreq(TILE.side) * TILE.side
-        v, u = np.meshgrid(waves, waves, indexing="ij")
-        keep = np.exp(-0.5 * ((u * along) ** 2 + (v * across) ** 2))
-        field = np.fft.ifft2(np.fft.fft2(self._rng.normal(size=(TILE.side, TILE.side))) * keep).real
-        return field / max(float(field.std()), 1e-12)
+def _noise(rng: np.random.Generator, along: float, across: float) -> Array:
+    """Return seamless noise (SIDE, SIDE) of unit deviation whose features are so many parts of the tile long and wide."""
+    waves = np.fft.fftfreq(TILE.side) * TILE.side
+    v, u = np.meshgrid(waves, waves, indexing="ij")
+    keep = np.exp(-0.5 * ((u * along) ** 2 + (v * across) ** 2))
+    field = np.fft.ifft2(np.fft.fft2(rng.normal(size=(TILE.side, TILE.side))) * keep).real
+    return field / max(float(field.std()), 1e-12)
 
 
-def _wood(u: Array, v: Array, noise: _Noise) -> Array:
+def _wood(u: Array, v: Array, noise: Noise) -> Array:
     """Return growth rings cut lengthwise, with fibres."""
     del u
     rings = np.sin(2 * np.pi * (9 * v + 0.55 * noise(0.5, 0.08)))
     return rings + 0.5 * noise(0.12, 0.004) + 0.6 * noise(0.5, 0.03)
 
 
-def _weave(u: Array, v: Array, noise: _Noise) -> Array:
+def _weave(u: Array, v: Array, noise: Noise) -> Array:
     """Return threads over and under each other."""
     threads = 32
     over = (np.floor(u * threads) + np.floor(v * threads)) % 2
@@ -75,18 +70,18 @@ def _weave(u: Array, v: Array, noise: _Noise) -> Array:
     return np.where(over > 0, warp, 0.85 * weft) + 0.12 * noise(0.1, 0.004) + 0.12 * noise(0.004, 0.1)
 
 
-def _grains(*layers: tuple[float, float, float]) -> Callable[[Array, Array, _Noise], Array]:
+def _grains(*layers: tuple[float, float, float]) -> Callable[[Array, Array, Noise], Array]:
     """Return what draws noise of several weights, lengths and widths: tufts, a rolled wall, fine scratches."""
     return lambda u, v, noise: np.sum([weight * noise(along, across) for weight, along, across in layers], axis=0)
 
 
-def _marble(u: Array, v: Array, noise: _Noise) -> Array:
+def _marble(u: Array, v: Array, noise: Noise) -> Array:
     """Return dark veins along folded lines."""
     lines = np.abs(np.sin(np.pi * (2 * u + v + 0.4 * noise(0.28, 0.28) + 0.03 * noise(0.06, 0.06))))
     return -np.exp(-8 * lines) + 0.12 * noise(0.15, 0.15)
 
 
-def _brick(u: Array, v: Array, noise: _Noise) -> Array:
+def _brick(u: Array, v: Array, noise: Noise) -> Array:
     """Return courses of bricks, every other one shifted by half, in light mortar."""
     rows, columns = 8, 4
     row = np.floor(v * rows)
@@ -97,7 +92,7 @@ def _brick(u: Array, v: Array, noise: _Noise) -> Array:
     return np.where(joint, 1.6, brick)
 
 
-def _wicker(u: Array, v: Array, noise: _Noise) -> Array:
+def _wicker(u: Array, v: Array, noise: Noise) -> Array:
     canes = 16
     stakes = np.abs(np.sin(np.pi * (canes / 2 * u + 0.5 * (np.floor(v * canes) % 2))))
     return stakes * np.abs(np.sin(np.pi * canes * v)) + 0.1 * noise(0.02, 0.02)
@@ -128,7 +123,7 @@ def pixels(texture: str | bytes) -> NDArray[np.uint8]:
     tile = TILES[texture]
     ramp = (np.arange(TILE.side) + 0.5) / TILE.side
     v, u = np.meshgrid(ramp, ramp, indexing="ij")
-    values = tile.draw(u, v, _Noise(texture))
+    values = tile.draw(u, v, partial(_noise, np.random.default_rng(zlib.crc32(texture.encode()))))
     values = TILE.mean * (1 + tile.contrast * (values - values.mean()) / max(float(values.std()), 1e-12))
     grey = encoded(np.clip(values, 0.0031308, 1.0))
     return np.repeat(np.round(grey * 255).astype(np.uint8)[..., None], 3, axis=2)

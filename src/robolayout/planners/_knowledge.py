@@ -20,7 +20,7 @@ from robolayout._errors import InputError, SceneError
 from robolayout._reading import Checker
 from robolayout._reading.syntax import toml_value
 from robolayout.assets import CATALOGUE, Category, find_category
-from robolayout.assets.category import HEADS, built_in_data
+from robolayout.assets.category import BUILT_IN, HEADS
 from robolayout.assets.lexicon import place_of
 from robolayout.constraints import RELATIONS
 from robolayout.planners._own import own_rooms, own_thing
@@ -168,7 +168,7 @@ def _slots() -> Mapping[str, Any]:
 @cache
 def _parse(texts: tuple[tuple[str, str], ...]) -> Knowledge:
     reading = _Reading()
-    for data in built_in_data().values():
+    for data in BUILT_IN.values():
         if "group" in data:
             reading.add({key: data[key] for key in HEADS if key in data})
     for category in CATALOGUE.values():
