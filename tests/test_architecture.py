@@ -28,7 +28,6 @@ LAYERS: dict[str, float] = {
     "_color": 0,
     "_lazy": 0,
     "_files": 0.5,
-    "_html": 0.5,
     "_geometry": 0,
     "_grid": 0,
     "_reading": 0.5,

@@ -11,7 +11,7 @@ import pytest
 
 import robolayout as rl
 from robolayout._errors import MissingExtraError
-from robolayout._html import bullets
+from robolayout._text import bullets
 from robolayout.scene import load_agent
 
 HOSTILE = "<script>alert('x')</script> & \"quotes\""

@@ -13,8 +13,7 @@ import ezdxf
 import pytest
 
 from robolayout._errors import LayoutError
-from robolayout._html import bullets, paragraph, table
-from robolayout._text import LONGEST_NAME, file_name, html, markdown, printable, utf8, xml
+from robolayout._text import LONGEST_NAME, bullets, file_name, html, markdown, paragraph, printable, table, utf8, xml
 from robolayout.export import EXPORTERS, Options, to_bytes
 from robolayout.render import plan_svg
 from robolayout.scene import Agent, Asset, Layout, Pose, Room, Scene

@@ -1,4 +1,4 @@
-"""Text that is not ours (of files, models, names) made harmless for the place where it goes.
+"""Text that is not ours (of files, models, names) made harmless for the place where it goes, and small pieces of HTML with it.
 
 Whatever shows a name, a description, a path or a message uses one of these: in JSON the escapes are those of the format.
 """
@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import json
 import re
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from html import escape
 
@@ -79,3 +80,25 @@ def file_name(text: str) -> str:
     """Return the stem of a file's name: never a path, never hidden, never too long, the same on every system."""
     stem = _NOT_IN_A_FILE_NAME.sub(lambda found: " " if found[0].isspace() else "_", printable(text)).strip(" .-")
     return stem.encode()[:LONGEST_NAME].decode(errors="ignore").rstrip(" .") or "_"
+
+
+def table(heads: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
+    """Return a table; the first column is text, the others are figures."""
+    top = "".join(f"<th>{html(head)}</th>" for head in heads)
+    styles = [' style="text-align:left"', *[""] * (len(heads) - 1)]
+    cells = ("".join(f"<td{style}>{html(text)}</td>" for style, text in zip(styles, row, strict=True)) for row in rows)
+    body = "".join(f"<tr>{row}</tr>" for row in cells)
+    return f"<table><thead><tr>{top}</tr></thead><tbody>{body}</tbody></table>"
+
+
+def paragraph(text: str) -> str:
+    """Return a paragraph in bold."""
+    return f"<p><b>{html(text)}</b></p>"
+
+
+def bullets(sentences: Sequence[str], most: int) -> str:
+    """Return a list of at most `most` sentences and how many more there are; nothing for none."""
+    shown = list(sentences[:most])
+    if len(sentences) > most:
+        shown.append(f"and {len(sentences) - most} more")
+    return f"<ul>{''.join(f'<li>{html(sentence)}</li>' for sentence in shown)}</ul>" if shown else ""

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from robolayout.many.statistics import mean, sign_test
+from robolayout.many.evaluation import mean, sign_test
 
 
 @pytest.mark.parametrize(("better", "worse", "chance"), [(0, 0, 1.0), (5, 5, 1.0), (9, 1, 22 / 1024), (0, 7, 2 / 128)])

@@ -14,14 +14,14 @@ from robolayout.scene.asset import Asset as Asset
 from robolayout.scene.asset import program_variable as program_variable
 from robolayout.scene.asset import split_name as split_name
 from robolayout.scene.asset import variable_name as variable_name
-from robolayout.scene.digest import digest as digest
-from robolayout.scene.digest import layout_digest as layout_digest
-from robolayout.scene.digest import scene_digest as scene_digest
 from robolayout.scene.io import check_dress as check_dress
 from robolayout.scene.io import check_layout as check_layout
+from robolayout.scene.io import digest as digest
+from robolayout.scene.io import layout_digest as layout_digest
 from robolayout.scene.io import layout_from_dict as layout_from_dict
 from robolayout.scene.io import load_layout as load_layout
 from robolayout.scene.io import load_scene as load_scene
+from robolayout.scene.io import scene_digest as scene_digest
 from robolayout.scene.io import scene_from_dict as scene_from_dict
 from robolayout.scene.io import scene_to_dict as scene_to_dict
 from robolayout.scene.layout import Layout as Layout

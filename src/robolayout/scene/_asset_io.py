@@ -1,4 +1,4 @@
-"""Reads and writes the assets of a scene file."""
+"""Reads and writes the assets of a scene file, and looks up those that a catalogue describes for many scenes."""
 
 from __future__ import annotations
 
@@ -7,30 +7,22 @@ import unicodedata
 from collections.abc import Iterable, Mapping
 from pathlib import Path
 
-from robolayout._errors import SceneError
+from robolayout._errors import SceneError, did_you_mean
 from robolayout._reading import LIMITS, MESH_SUFFIXES, Checker, inside, misspelt, show
 from robolayout._text import printable
 from robolayout.scene import reference
-from robolayout.scene._catalogue import described, find_catalogue
 from robolayout.scene.asset import Asset, by_variable, split_name
 
 NO_TEXT = "\ufffe\uffff"  # code points that are no characters, and that XML cannot hold
 SIDES = ("front", "back", "left", "right")  # sides that an asset can be used from
 _CHECK = Checker(SceneError)
+Entry = Mapping[str, object]  # one asset as a scene file gives it
 _FLAGS = ("onFloor", "onWall", "onCeiling", "onObject")
 _KNOWN = ("category", "description", "path", "useSides", "like", "parts", "without", "from", "assetMetadata", *_FLAGS)
 
 
-def read_assets(
-    data: Mapping[str, object], *, base: Path | None, asset_dir: Path | None, warnings: list[str]
-) -> tuple[Asset, ...]:
-    """Return the assets of a scene file, in its order.
-
-    Args:
-        base: Folder of the scene file, in which meshes may lie.
-        asset_dir: Folder of assets, for meshes and for keys of the form `<uid>-<n>`.
-        warnings: Gets a sentence for everything that was mended.
-    """
+def read_assets(data: Entry, *, base: Path | None, asset_dir: Path | None, warnings: list[str]) -> tuple[Asset, ...]:
+    """Return the assets of a scene file in the folder `base`, in its order; `warnings` gets a sentence for what was mended."""
     entries = _CHECK.inner(data, "assets", "the scene", "assets")
     if not 0 < len(entries) <= LIMITS.assets:
         raise SceneError(f"the scene has {len(entries)} assets; from 1 to {LIMITS.assets} are allowed.")
@@ -75,9 +67,7 @@ def write_asset(asset: Asset, base: Path | None = None) -> dict[str, object]:
     return entry | {key: value for key, value in asset.metadata.items() if key not in entry}
 
 
-def _named(
-    entries: dict[str, Mapping[str, object]], asset_dir: Path | None
-) -> dict[str, tuple[str, Mapping[str, object]]]:
+def _named(entries: dict[str, Entry], asset_dir: Path | None) -> dict[str, tuple[str, Entry]]:
     """Return (name, entry) by key, after looking up those without a box in the folder of assets."""
     unknown = [key for key, entry in entries.items() if "assetMetadata" not in entry]
     if unknown and asset_dir is None:
@@ -102,7 +92,7 @@ def _check_name(name: str) -> None:
         raise SceneError(f"{where} is empty; call the asset something.")
 
 
-def _asset(name: str, entry: Mapping[str, object], folders: list[Path], warnings: list[str]) -> Asset:
+def _asset(name: str, entry: Entry, folders: list[Path], warnings: list[str]) -> Asset:
     where = f"asset {name!r}"
     warnings.extend(misspelt(entry, _KNOWN, where))
     category = entry.get("category", split_name(name)[0].replace("_", " "))
@@ -135,7 +125,7 @@ def _asset(name: str, entry: Mapping[str, object], folders: list[Path], warnings
     )
 
 
-def _size(entry: Mapping[str, object], where: str) -> tuple[float, float, float]:
+def _size(entry: Entry, where: str) -> tuple[float, float, float]:
     sides: list[float] = []
     meanings = ("depth (boundingBox.x)", "width (boundingBox.y)", "height (boundingBox.z)")
     for value, meaning in zip(_CHECK.bounding_box(entry, where), meanings, strict=True):
@@ -196,3 +186,45 @@ def _warn_of_gaps(assets: Iterable[Asset], warnings: list[str]) -> None:
             place, name = f"{variable}[{odd}]", group[odd].name
             gap = f"there is no {variable}-{odd}" if group[odd].index > odd else f"{variable} stands for several names"
             warnings.append(f"{gap}: in a program, {place} is {name}.")
+
+
+def find_catalogue(value: object, folders: Iterable[Path]) -> Path | None:
+    """Return the file that a scene calls its catalogue, a path relative to one of these folders and in it; None where it has none."""
+    if value is None:
+        return None
+    text, places = _CHECK.text(value, "catalogue", most=1000), list(folders)
+    for folder in places:
+        if "\0" not in text and inside(folder / text, places) and os.path.isfile(folder / text):
+            return folder / text
+    raise SceneError(
+        f"catalogue {show(text)} is no file in the scene file's folder or the asset folder; correct the path, or write "
+        "the file with `robolayout assets import FOLDER --out FILE`."
+    )
+
+
+def described(entries: Mapping[str, Entry], catalogue: Path | None) -> dict[str, Entry]:
+    """Return the assets of a scene with what a catalogue says of them; what the scene says itself counts more.
+
+    `from` names an entry of the catalogue; without it, an asset without a box goes by its own name.
+    """
+    if catalogue is None:
+        asking = next((name for name, entry in entries.items() if "from" in entry), None)
+        if asking is not None:
+            raise SceneError(
+                f"asset {show(asking)} is taken from a catalogue, but the scene names none; add catalogue."
+            )
+        return dict(entries)
+    data = _CHECK.mapping(_CHECK.read_json(catalogue, "catalogue"), f"catalogue {catalogue.name}")
+    known = _CHECK.inner(data, "assets", f"catalogue {catalogue.name}", f"{catalogue.name}: assets")
+    found: dict[str, Entry] = {}
+    for name, entry in entries.items():
+        key = _CHECK.text(entry["from"], f"asset {show(name)}: from", most=200) if "from" in entry else name
+        if "from" in entry and key not in known:
+            listed = ", ".join(sorted(known)[:20]) + (", ..." if len(known) > 20 else "")
+            raise SceneError(
+                f"asset {show(name)}: {catalogue.name} has no {show(key)}.{did_you_mean(key, known)} It has: {listed}."
+            )
+        given = {k: v for k, v in entry.items() if k != "from"}
+        takes = key in known and ("from" in entry or "assetMetadata" not in entry)
+        found[name] = {**_CHECK.mapping(known[key], f"{catalogue.name}: {show(key)}"), **given} if takes else given
+    return found

@@ -1,4 +1,4 @@
-"""Reads and writes scene files and layout files (the formats of `docs/conventions.md`).
+"""Reads and writes scene files and layout files (the formats of `docs/conventions.md`), and their digests.
 
 Degrees and dictionaries live here, at the edge; inside there are radians and frozen nouns. Whatever can be mended
 without guessing is mended with a warning in `Scene.warnings`; everything else is an error of one sentence.
@@ -6,9 +6,12 @@ without guessing is mended with a warning in `Scene.warnings`; everything else i
 
 from __future__ import annotations
 
+import hashlib
+import json
 import math
 from collections.abc import Mapping
-from pathlib import Path
+from pathlib import Path, PurePath
+from typing import Any
 
 from robolayout._errors import LayoutError, SceneError, did_you_mean
 from robolayout._reading import LIMITS, Checker, misspelt, show
@@ -141,3 +144,25 @@ def _agents(value: object) -> tuple[Agent, ...]:
         raise SceneError("agent is an empty list; name at least one agent or leave it out.")
     agents = [built_in_agent(entry) if isinstance(entry, str) else agent_from_dict(entry) for entry in entries]
     return check_names(agents)
+
+
+def digest(content: object) -> str:
+    """Return the SHA-256, in hexadecimal, of plain data in canonical JSON: sorted keys, no spaces, ASCII."""
+    text = json.dumps(content, sort_keys=True, separators=(",", ":"), default=str)
+    return hashlib.sha256(text.encode()).hexdigest()
+
+
+def layout_digest(layout: Layout) -> str:
+    """Return the digest of the content of `layout.json`."""
+    return digest(layout.to_dict())
+
+
+def scene_digest(scene: Scene) -> str:
+    """Return the digest of the content of a scene file; of a mesh only the file's name counts, not the folder it is in."""
+    content: dict[str, Any] = scene_to_dict(scene)
+    return digest(content | {"assets": {name: _without_folder(entry) for name, entry in content["assets"].items()}})
+
+
+def _without_folder(entry: Mapping[str, Any]) -> dict[str, Any]:
+    path = entry.get("path")
+    return dict(entry) | ({"path": PurePath(path).name} if isinstance(path, str) else {})

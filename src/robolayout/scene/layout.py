@@ -74,7 +74,7 @@ class Layout(Mapping[str, Pose]):
 
     def _repr_html_(self) -> str:
         """Return the poses as a table, for notebooks."""
-        from robolayout._html import table
+        from robolayout._text import table
 
         rows = [
             [name, f"{p.x:.3f}", f"{p.y:.3f}", f"{p.z:.3f}", f"{math.degrees(p.yaw) % 360:.1f}"]

@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
-from robolayout._html import bullets, paragraph, table
-from robolayout._text import TOLD
+from robolayout._text import TOLD, bullets, paragraph, table
 from robolayout._text import markdown as plain
 from robolayout.verify.agent_report import AgentReport
 from robolayout.verify.limits import JUDGE
