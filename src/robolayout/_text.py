@@ -83,7 +83,7 @@ def file_name(text: str) -> str:
 
 
 def table(heads: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
-    """Return a table; the first column is text, the others are figures."""
+    """Return an HTML table; the first column is text, the others are figures."""
     top = "".join(f"<th>{html(head)}</th>" for head in heads)
     styles = [' style="text-align:left"', *[""] * (len(heads) - 1)]
     cells = ("".join(f"<td{style}>{html(text)}</td>" for style, text in zip(styles, row, strict=True)) for row in rows)
@@ -92,12 +92,12 @@ def table(heads: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
 
 
 def paragraph(text: str) -> str:
-    """Return a paragraph in bold."""
+    """Return an HTML paragraph in bold."""
     return f"<p><b>{html(text)}</b></p>"
 
 
 def bullets(sentences: Sequence[str], most: int) -> str:
-    """Return a list of at most `most` sentences and how many more there are; nothing for none."""
+    """Return an HTML list of at most `most` sentences and how many more there are; nothing for none."""
     shown = list(sentences[:most])
     if len(sentences) > most:
         shown.append(f"and {len(sentences) - most} more")

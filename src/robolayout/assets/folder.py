@@ -25,7 +25,7 @@ from robolayout.assets.lexicon import find_category
 from robolayout.assets.likeness import WAYS, sampled, stands
 from robolayout.assets.own import AXES, Size, extent, fits_y_up, orientation, read_pieces
 from robolayout.assets.part import Part
-from robolayout.scene import variable_name
+from robolayout.scene import FLAGS, variable_name
 
 UNITS = {"m": 1.0, "cm": 0.01, "mm": 0.001, "inch": 0.0254}
 """Units that mesh files are drawn in, the likeliest first, and their length in metres."""
@@ -35,7 +35,6 @@ CLEARLY = math.log(2.0)
 SURE = 0.3  # how sure an axis or unit must be not to be asked about
 CORRECTIONS = "corrections.json"
 PLAUSIBLE = (0.02, 6.0)  # longest edge in metres of a thing of unknown category
-FLAGS = {"onFloor": "on_floor", "onWall": "on_wall", "onCeiling": "on_ceiling", "onObject": "on_object"}
 VIEWS = ("+z", "+x", "-z", "-x")  # front axis of a y-up mesh by objathor's `frontView`: a quarter turn each
 _CHECK = Checker(AssetError)
 

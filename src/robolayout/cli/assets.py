@@ -83,9 +83,9 @@ def _own(entries: Mapping[str, Any], folder: Path) -> list[Asset]:
 
 
 def _typical(kind: Category) -> Asset:
-    from robolayout.scene import Asset, variable_name
+    from robolayout.scene import FLAGS, Asset, variable_name
 
-    flags = {name: getattr(kind, name) for name in ("on_floor", "on_wall", "on_ceiling", "on_object")}
+    flags = {name: getattr(kind, name) for name in FLAGS.values()}
     return Asset(f"{variable_name(kind.name)}-0", kind.name, kind.size, **flags)
 
 

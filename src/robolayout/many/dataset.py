@@ -23,7 +23,7 @@ from robolayout._files import check_writable, locked, write_atomic
 from robolayout._reading import Checker
 from robolayout._text import pretty
 from robolayout._version import __version__
-from robolayout.many.index import Table, check_tables, write_index
+from robolayout.many.index import check_tables, write_index
 from robolayout.many.room import NOTE, Made, shelved
 from robolayout.many.spec import Ready, changed, read_spec
 from robolayout.many.variety import VARIETY, Plan, nearest
@@ -316,7 +316,7 @@ class _Run:
             if self.ready.spec.distinct:
                 about |= {"difference": round(room.nearest[0], 4), "nearest_room": room.nearest[1]}
             rows.append(about | note["row"])
-        write_index(Table(self.ready, self.folder, rows, dict(reasons.most_common())))
+        write_index(self.ready, self.folder, rows, dict(reasons.most_common()))
         count = Counter(room.status for room in self.known.values())
         missing = {row["room"]: row["why"] for row in rows if row["status"] == "missing"}
         least = min((room.nearest[0] for room in self.known.values()), default=1.0)

@@ -12,10 +12,9 @@ from typing import Any, cast
 from robolayout._errors import InputError
 from robolayout._reading import Checker
 from robolayout.assets import find_category
-from robolayout.assets.folder import FLAGS
 from robolayout.many.room import NOTE
 from robolayout.run.result import Result, judge, load_judged
-from robolayout.scene import Agent, Layout, Pose, Scene, load_layout, load_scene, scene_from_dict
+from robolayout.scene import FLAGS, Agent, Layout, Pose, Scene, load_layout, load_scene, scene_from_dict
 from robolayout.scene.reference import look_up
 
 _CHECK = Checker(InputError)

@@ -7,7 +7,6 @@ import io
 import statistics
 from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
 from importlib.util import find_spec
 from pathlib import Path
 from string import Template
@@ -38,20 +37,9 @@ SUMMED = (
 """Figures whose range the card tells."""
 
 
-@dataclass(frozen=True)
-class Table:
-    """A finished set."""
-
-    ready: Ready  # what was asked for
-    folder: Path  # where it is
-    rows: list[dict[str, Any]]  # one row a room, in order
-    reasons: Mapping[str, int]  # why tries were replaced, and how often
-
-
-def write_index(table: Table) -> None:
-    """Write everything that is about the whole set."""
-    folder, rows = table.folder, table.rows
-    spec = table.ready.spec
+def write_index(ready: Ready, folder: Path, rows: list[dict[str, Any]], reasons: Mapping[str, int]) -> None:
+    """Write everything that is about the whole set: of its rows, one a room in order, and why tries were replaced."""
+    spec = ready.spec
     order = np.random.default_rng(spec.seed).permutation(len(rows))
     test = set(order[: round(spec.test * len(rows))].tolist())
     for number, row in enumerate(rows):
@@ -60,7 +48,7 @@ def write_index(table: Table) -> None:
         paths = [f"{row['path']}\n" for row in rows if row["split"] == split and row["status"] != "missing"]
         write_atomic(folder / f"{split}.txt", "".join(paths))
     write_rows(folder / "index", rows)
-    write_atomic(folder / "README.md", card(table))
+    write_atomic(folder / "README.md", card(ready, rows, reasons))
     write_atomic(folder / "contact.png", contact(folder, rows))
     write_atomic(folder / "index.html", page(f"{len(rows)} rooms", rows, thumbs=True))
 
@@ -111,15 +99,15 @@ def contact(folder: Path, rows: Sequence[Mapping[str, Any]]) -> bytes:
     return png_bytes(sheet.quantize(256))
 
 
-def card(table: Table) -> str:
+def card(ready: Ready, rows: Sequence[Mapping[str, Any]], reasons: Mapping[str, int]) -> str:
     """Return the card of the set in Markdown: how it was made, what it holds, whose things are in it."""
-    rows, spec = table.rows, table.ready.spec
+    spec = ready.spec
     count = Counter(row["status"] for row in rows)
     told = {"unmet": "do not, and were kept", "missing": "were given up (status `missing`, with the reason)"}
     states = [f"- {count['met']} rooms meet all their demands"]
     states += [f"- {count[status]} rooms {words}" for status, words in told.items() if count[status]]
-    states += [f"- {sum(table.reasons.values())} tries were replaced"]
-    states += [f"  - {number} x {markdown(why)}" for why, number in list(table.reasons.items())[: TOLD.shown]]
+    states += [f"- {sum(reasons.values())} tries were replaced"]
+    states += [f"  - {number} x {markdown(why)}" for why, number in list(reasons.items())[: TOLD.shown]]
     if spec.distinct:
         near = sum(row["difference"] < VARIETY.least for row in rows if row["status"] != "missing")
         alike = f"pairs with less than {VARIETY.least:.0%} of their things at other places"
@@ -137,7 +125,7 @@ def card(table: Table) -> str:
         "sources": _table(Counter(row["source"] for row in rows).items()),
         "things": "",
     }
-    if meshes := table.ready.meshes:
+    if meshes := ready.meshes:
         notices = _table((name, markdown(_notice(path))) for name, path in sorted(meshes.items()))
         filled["things"] = f" {OWN}\n\n| mesh | notice |\n|---|---|\n{notices}"
     return Template(part("robolayout.many", "card.md")).substitute(filled)

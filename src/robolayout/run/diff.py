@@ -37,10 +37,6 @@ class Change:
     metres: float = 0.0  # how far a thing moved
     degrees: float = 0.0  # how far it turned, at most 180
 
-    def to_dict(self) -> dict[str, Any]:
-        """Return plain data."""
-        return dict(vars(self))
-
 
 @dataclass(frozen=True)
 class Difference:
@@ -58,7 +54,7 @@ class Difference:
 
     def to_dict(self) -> dict[str, Any]:
         """Return plain data: all changes, and whether anything became worse."""
-        return {"worse": bool(self.worse), "changes": [change.to_dict() for change in self.changes]}
+        return {"worse": bool(self.worse), "changes": [vars(change) for change in self.changes]}
 
     def marks(self) -> PlanMarks:
         """Return, as shapes for the plan of the second layout, where its things stood in the first one."""

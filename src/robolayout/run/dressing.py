@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-import time
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
+from robolayout.run.attempt import Clock
 from robolayout.scene import DRESSINGS, Layout
 from robolayout.solve import Dressed, dress
 from robolayout.verify import physics, verify
@@ -16,16 +16,15 @@ if TYPE_CHECKING:
 
 def dressed(result: Result, amount: str, *, seed: int) -> Result:
     """Return a run's room with small things on its surfaces (`DRESSINGS`); what the judge does not pass is left out."""
-    wall, cpu = time.perf_counter(), time.process_time()
-    found = _passed(result.layout, dress(result.scene, result.layout, amount, seed=seed))
+    clock = Clock()
+    with clock.station("dress"):
+        found = _passed(result.layout, dress(result.scene, result.layout, amount, seed=seed))
     if not found.names:
         return result
-    seconds = {"dress": {"wall": time.perf_counter() - wall, "cpu": time.process_time() - cpu}}
     new, old = verify(found.scene, found.layout), result.report
-    report = replace(old, scene=found.scene, layout=found.layout, physics=new.physics, agents=new.agents)
     scene = replace(found.scene, dress=DRESSINGS[0])  # it is done
-    report = replace(report, scene=scene)
-    return replace(result, scene=scene, layout=found.layout, report=report.with_timing(seconds))
+    report = replace(old, scene=scene, layout=found.layout, physics=new.physics, agents=new.agents)
+    return replace(result, scene=scene, layout=found.layout, report=report.with_timing(clock.seconds))
 
 
 def _passed(before: Layout, found: Dressed) -> Dressed:

@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 from robolayout._errors import InputError, UnknownNameError
-from robolayout.program import Guess, Program
+from robolayout.program import Guess
 from robolayout.scene import Layout, Pose, Scene, layout_from_dict, load_layout
 
 
@@ -36,11 +35,6 @@ def pinned_poses(scene: Scene, start: Layout | None, keep: Sequence[str], free: 
             raise InputError(f"{name!r} cannot be kept: the layout to start from does not place it.")
     staying = set(keep) or (set(start) - set(free) if free else set[str]())
     return {name: start[name] for name in start if name in staying}
-
-
-def started(program: Program, start: Layout) -> Program:
-    """Return a program whose guesses are the poses of a layout; its own are for what that does not place."""
-    return replace(program, guesses={**program.guesses, **guesses_of(start)})
 
 
 def guesses_of(layout: Layout) -> dict[str, Guess]:

@@ -15,7 +15,7 @@ from robolayout.planners import Critic, Group, GroupPlanner, OfflinePlanner, Pla
 from robolayout.program import Program, Reconciled, read_program, reconcile
 from robolayout.run.attempt import Attempt, Clock, Progress
 from robolayout.run.dressing import dressed
-from robolayout.run.edit import as_start, pinned_poses, started
+from robolayout.run.edit import as_start, guesses_of, pinned_poses
 from robolayout.run.given import as_scene
 from robolayout.run.result import Result
 from robolayout.run.verdict import make_judge
@@ -189,7 +189,8 @@ class Run:
         if program is None and (len(start) < len(self.scene.assets) or not isinstance(planner, OfflinePlanner)):
             with self.clock.station("plan"):
                 program = planner.plan(PlanRequest(self.scene, placed=start, seed=self.seed))
-        asked = started(self._read(program or ""), start)
+        asked = self._read(program or "")
+        asked = replace(asked, guesses={**asked.guesses, **guesses_of(start)})
         return self.finished([asked], self.scene, pinned)[0]
 
     def _texts(

@@ -9,6 +9,7 @@ from robolayout.scene.agents_io import agent_names as agent_names
 from robolayout.scene.agents_io import agent_to_dict as agent_to_dict
 from robolayout.scene.agents_io import load_agent as load_agent
 from robolayout.scene.agents_io import load_agents as load_agents
+from robolayout.scene.asset import FLAGS as FLAGS
 from robolayout.scene.asset import FLAT_HEIGHT as FLAT_HEIGHT
 from robolayout.scene.asset import Asset as Asset
 from robolayout.scene.asset import program_variable as program_variable

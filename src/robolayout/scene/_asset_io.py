@@ -11,14 +11,13 @@ from robolayout._errors import SceneError, did_you_mean
 from robolayout._reading import LIMITS, MESH_SUFFIXES, Checker, inside, misspelt, show
 from robolayout._text import printable
 from robolayout.scene import reference
-from robolayout.scene.asset import Asset, by_variable, split_name
+from robolayout.scene.asset import FLAGS, Asset, by_variable, split_name
 
 NO_TEXT = "\ufffe\uffff"  # code points that are no characters, and that XML cannot hold
 SIDES = ("front", "back", "left", "right")  # sides that an asset can be used from
 _CHECK = Checker(SceneError)
 Entry = Mapping[str, object]  # one asset as a scene file gives it
-_FLAGS = ("onFloor", "onWall", "onCeiling", "onObject")
-_KNOWN = ("category", "description", "path", "useSides", "like", "parts", "without", "from", "assetMetadata", *_FLAGS)
+_KNOWN = ("category", "description", "path", "useSides", "like", "parts", "without", "from", "assetMetadata", *FLAGS)
 
 
 def read_assets(data: Entry, *, base: Path | None, asset_dir: Path | None, warnings: list[str]) -> tuple[Asset, ...]:
@@ -47,10 +46,7 @@ def write_asset(asset: Asset, base: Path | None = None) -> dict[str, object]:
     entry: dict[str, object] = {
         "category": asset.category,
         "description": asset.description,
-        "onFloor": asset.on_floor,
-        "onWall": asset.on_wall,
-        "onCeiling": asset.on_ceiling,
-        "onObject": asset.on_object,
+        **{key: getattr(asset, name) for key, name in FLAGS.items()},
         "assetMetadata": {"boundingBox": {"x": depth, "y": width, "z": height}},
     }
     if asset.path is not None:
@@ -58,12 +54,8 @@ def write_asset(asset: Asset, base: Path | None = None) -> dict[str, object]:
         entry["path"] = (asset.path.relative_to(base.resolve()) if base and near else asset.path).as_posix()
     if asset.use_sides is not None:
         entry["useSides"] = list(asset.use_sides)
-    if asset.like:
-        entry["like"] = asset.like
-    if asset.parts:
-        entry["parts"] = asset.parts
-    if asset.without:
-        entry["without"] = list(asset.without)
+    own = {"like": asset.like, "parts": asset.parts, "without": list(asset.without)}
+    entry |= {key: value for key, value in own.items() if value}
     return entry | {key: value for key, value in asset.metadata.items() if key not in entry}
 
 
@@ -100,19 +92,16 @@ def _asset(name: str, entry: Entry, folders: list[Path], warnings: list[str]) ->
     words = " ".join(printable(text).split())
     if not words:
         raise SceneError(f"{where}: category is empty; say in a word or two what it is.")
-    floor, wall, ceiling, thing = (_CHECK.flag(entry.get(key, False), f"{where}: {key}") for key in _FLAGS)
-    if not (floor or wall or ceiling or thing):
-        floor = True
+    places = {name: _CHECK.flag(entry.get(key, False), f"{where}: {key}") for key, name in FLAGS.items()}
+    if not any(places.values()):
+        places["on_floor"] = True
         warnings.append(f"{where} says nowhere where it may stand; it goes on the floor (onFloor).")
     return Asset(
         name=name,
         category=words,
         size=_size(entry, where),
         description=_CHECK.text(entry.get("description", ""), f"{where}: description"),
-        on_floor=floor,
-        on_wall=wall,
-        on_ceiling=ceiling,
-        on_object=thing,
+        **places,
         path=_mesh(entry.get("path"), where, folders),
         use_sides=_sides(entry.get("useSides"), where),
         like=_CHECK.text(entry.get("like", ""), f"{where}: like", most=200),

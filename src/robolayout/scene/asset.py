@@ -57,6 +57,8 @@ class Asset:
         return self.size[2] < FLAT_HEIGHT and self.on_floor and not self.on_object
 
 
+FLAGS = {"onFloor": "on_floor", "onWall": "on_wall", "onCeiling": "on_ceiling", "onObject": "on_object"}
+"""Keys of a scene file that say where a thing may be, and what they are called here."""
 LIES_ABOUT = "liesAbout"  # key of the metadata of what people leave about: nobody is asked to get to it
 FLAT_HEIGHT = 0.03  # height in metres below which a floor asset is a rug
 

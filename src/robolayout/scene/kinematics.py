@@ -87,19 +87,6 @@ class Robot:
     # values of the joints in the pose that its file names; None where it names none
     home: Mapping[str, float] | None = None
 
-    @classmethod
-    def of(
-        cls,
-        name: str,
-        root: str,
-        joints: tuple[Joint, ...],
-        clouds: Mapping[str, Sequence[Array]],
-        home: Mapping[str, float] | None = None,
-    ) -> Robot:
-        """Return the robot whose links have these points (n, 3) on their shapes."""
-        hulls = {link: _hull(np.concatenate(shapes)) for link, shapes in clouds.items() if shapes}
-        return cls(name, root, joints, hulls, home)
-
     def poses(self, values: Mapping[str, Array], count: int = 1) -> dict[str, Array]:
         """Return the poses (count, 4, 4) of all links in the root's frame; joints without values (count,) are at 0."""
         found = {self.root: np.tile(np.eye(4), (count, 1, 1))}
@@ -296,6 +283,11 @@ class Robot:
         away = np.hypot(at[:, 0], at[:, 1])
         ends = ((int(k), float(away[band == k].max())) for k in np.unique(band) if k >= 0)
         return [(round(k * FOLDING.band, 2), round((k + 1) * FOLDING.band, 2), far) for k, far in ends]
+
+
+def hulls(clouds: Mapping[str, Sequence[Array]]) -> dict[str, Array]:
+    """Return the corners of the convex hulls of links, by the points (n, 3) on their shapes."""
+    return {link: _hull(np.concatenate(shapes)) for link, shapes in clouds.items() if shapes}
 
 
 def _hull(points: Array) -> Array:

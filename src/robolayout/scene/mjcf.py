@@ -17,7 +17,7 @@ import numpy as np
 
 from robolayout._reading import LIMITS, show
 from robolayout.scene._model import Matrix, Model, ball, box, capsule, cylinder, transform
-from robolayout.scene.kinematics import Joint, Kind, Robot
+from robolayout.scene.kinematics import Joint, Kind, Robot, hulls
 
 if TYPE_CHECKING:
     from scipy.spatial.transform import Rotation
@@ -97,7 +97,7 @@ class _Reader:
             names = ", ".join(show(body.name) for body in able[:5])
             raise self.model.fail(f"has {len(able)} bodies with joints in its world ({names}); leave one robot in it.")
         name = self.whole.get("model") or self.model.path.stem
-        return Robot.of(name, ROOT, tuple(able[0].joints), able[0].clouds, self._home())
+        return Robot(name, ROOT, tuple(able[0].joints), hulls(able[0].clouds), self._home())
 
     def _class(self, element: Element, inherited: Mapping[str, Attributes], name: str) -> None:
         known = {**inherited}

@@ -13,11 +13,11 @@ from pathlib import Path
 
 from robolayout._errors import AssetError
 from robolayout._reading import Checker, inside, show
-from robolayout.scene.asset import variable_name
+from robolayout.scene.asset import FLAGS, variable_name
 
 Entry = dict[str, object]  # one asset as a scene file gives it
 _CHECK = Checker(AssetError)
-_COPIED = ("description", "onFloor", "onWall", "onCeiling", "onObject", "frontView")
+_COPIED = ("description", *FLAGS, "frontView")
 
 
 def look_up(keys: Iterable[str], asset_dir: Path) -> dict[str, tuple[str, Entry]]:

@@ -72,42 +72,25 @@ def _agent(points: Matrix, about: str, body: Robot) -> Agent:
     low, high = points.min(axis=0), points.max(axis=0)
     size, name = high - low, body.name
     farthest = float(np.hypot(points[:, 0], points[:, 1]).max())
-    height = _round(size[2])
     reach = _reach(body, float(low[2]), farthest, about)
     known = Source(about, verified=True)
-    sources = {
-        **reach.pop("sources", {}),
-        "height": known,
-        "radius": known,
-        "step": Source("not in a robot's model; the general default", verified=False),
-    }
-    if farthest <= BODY.round * max(abs(low[0]), abs(low[1]), high[0], high[1]) and max(size[:2]) < 1.25 * min(
+    figures = {"height": _round(size[2]), "radius": _round(farthest)}
+    sources = {**reach.pop("sources", {}), **dict.fromkeys(figures, known)}
+    sources["step"] = Source("not in a robot's model; the general default", verified=False)
+    is_disc = farthest <= BODY.round * max(abs(low[0]), abs(low[1]), high[0], high[1]) and max(size[:2]) < 1.25 * min(
         size[:2]
-    ):
-        return Agent(name, _round(farthest), height, step=BODY.step, title=name, sources=sources, **reach)
-    length, width = _round(size[0]), _round(size[1])
-    arc = body.turning()
-    circle = _round(2 * math.hypot(arc + width / 2, length) if arc else 2 * farthest)
-    sources |= {
-        "length": known,
-        "width": known,
-        "turning_diameter": known,
-        "turning_radius": Source(f"wheels of the model, {about}", verified=True),
-    }
-    sources["radius"] = Source(f"half the width and {BODY.clearance} m, {about}", verified=False)
-    return Agent(
-        name,
-        radius=_round(width / 2 + BODY.clearance),
-        height=height,
-        length=length,
-        width=width,
-        turning_diameter=circle if circle > 1.05 * math.hypot(length, width) else None,
-        turning_radius=None if arc is None else _round(arc),
-        step=BODY.step,
-        title=name,
-        sources=sources,
-        **reach,
     )
+    if not is_disc:
+        length, width = _round(size[0]), _round(size[1])
+        arc = body.turning()
+        circle = _round(2 * math.hypot(arc + width / 2, length) if arc else 2 * farthest)
+        figures |= {"length": length, "width": width, "radius": _round(width / 2 + BODY.clearance)}
+        figures |= {"turning_diameter": circle} if circle > 1.05 * math.hypot(length, width) else {}
+        figures |= {} if arc is None else {"turning_radius": _round(arc)}
+        sources |= dict.fromkeys(("length", "width", "turning_diameter"), known)
+        sources["turning_radius"] = Source(f"wheels of the model, {about}", verified=True)
+        sources["radius"] = Source(f"half the width and {BODY.clearance} m, {about}", verified=False)
+    return Agent(name, step=BODY.step, title=name, sources=sources, **figures, **reach)
 
 
 def _round(value: float) -> float:

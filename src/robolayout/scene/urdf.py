@@ -11,7 +11,7 @@ import numpy as np
 
 from robolayout._reading import show
 from robolayout.scene._model import Matrix, Model, ball, box, cylinder, transform
-from robolayout.scene.kinematics import Joint, Kind, Robot
+from robolayout.scene.kinematics import Joint, Kind, Robot, hulls
 
 
 def read_urdf(robot: Element, text: str, model: Model) -> Robot:
@@ -28,7 +28,7 @@ def read_urdf(robot: Element, text: str, model: Model) -> Robot:
     if not _children(robot, "link/collision", model):
         raise model.fail("no link has collision geometry, so the body has no size; add <collision> elements.")
     clouds = {name: [_points(shape, model) for shape in link.findall("collision")] for name, link in links.items()}
-    return Robot.of(robot.get("name") or model.path.stem, root, joints, clouds)
+    return Robot(robot.get("name") or model.path.stem, root, joints, hulls(clouds))
 
 
 def _children(element: Element, tag: str, model: Model) -> list[Element]:
