@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import Any
 
 from shapely import LineString, Polygon, get_parts, maximum_inscribed_circle, union_all
+from shapely.geometry.base import BaseGeometry
 
 from robolayout.render import PlanMarks
+from robolayout.render.marks import Rings
 from robolayout.scene import Point, vertical_span
 from robolayout.verify import AgentReport, Passage, exempt_from_reach, horizontal_reach
 
@@ -25,8 +25,6 @@ class MarkConfig:
 
 
 MARKS = MarkConfig()
-
-Rings = tuple[tuple[Point, ...], ...]
 
 
 def plan_marks(report: AgentReport) -> PlanMarks:
@@ -76,9 +74,8 @@ def _circles(report: AgentReport) -> tuple[tuple[Point, float], ...]:
 
 def _arcs(report: AgentReport) -> tuple[tuple[Point, ...], ...]:
     """Return where the body stands to use things and how far its arm reaches there: a short arc towards each."""
-    room = Polygon(report.navigation.scene.room.vertices)
-
     agent, nav = report.agent, report.navigation
+    room = Polygon(nav.scene.room.vertices)
     found: list[tuple[Point, ...]] = []
     for name, use in report.usage.uses.items() if agent.reach_distance is not None else ():
         reach = horizontal_reach(agent, *vertical_span(nav.scene.by_name[name], nav.layout[name]))
@@ -102,15 +99,13 @@ def _inside(room: Polygon, ray: LineString) -> Point:
 
 def _span(passage: Passage) -> tuple[Point, Point, float]:
     """Return the ends of the narrowest place and its width in metres."""
-    ends = (*passage.ends, *passage.ends)
-    return (ends[0], ends[1], passage.width)
+    return (passage.ends[0], passage.ends[-1], passage.width)
 
 
-def _rings(shape: Any) -> tuple[Rings, ...]:
+def _rings(shape: BaseGeometry) -> tuple[Rings, ...]:
     """Return the polygons of a shape as rings of points, outer ring first."""
-    parts: Sequence[Any] = getattr(shape, "geoms", (shape,))
     return tuple(
         tuple(tuple((float(x), float(y)) for x, y in ring.coords) for ring in (part.exterior, *part.interiors))
-        for part in parts
+        for part in get_parts(shape)
         if part.geom_type == "Polygon" and not part.is_empty
     )

@@ -23,14 +23,8 @@ def sheet_notes(report: Report, date: str = "") -> SheetNotes:
         for row in rule_rows(report)
         if row["agent"] == first.agent.name
     )
-    return SheetNotes(
-        date,
-        _areas(first),
-        verdict,
-        (*first.impossible, *report.violations, *helps),
-        rules,
-        first.navigation.boxes.carried,
-    )
+    findings = (*first.impossible, *report.violations, *helps)
+    return SheetNotes(date, _areas(first), verdict, findings, rules, first.navigation.boxes.carried)
 
 
 def rule_rows(report: Report) -> list[dict[str, Any]]:
@@ -52,9 +46,10 @@ def _areas(first: AgentReport) -> tuple[tuple[str, str], ...]:
     """Return the areas of a room, and how much of it is furnished and free."""
     nav = first.navigation
     room = Polygon(nav.scene.room.vertices)
+    placed = [(nav.scene.by_name[name], pose) for name, pose in nav.layout.items()]
     standing = [
         Polygon(pose.corners(asset.size))
-        for asset, pose in ((nav.scene.by_name[name], pose) for name, pose in nav.layout.items())
+        for asset, pose in placed
         if not asset.is_flat and vertical_span(asset, pose)[0] < STANDS
     ]
     furnished = union_all(standing).intersection(room).area

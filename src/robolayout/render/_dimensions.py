@@ -42,11 +42,7 @@ class Chain:
 
 def chains(room: Room) -> tuple[Chain, ...]:
     """Return all dimension lines of a room."""
-    sides = _sides(room)
-    found: list[Chain] = []
-    for walls in sides:
-        found += _chains(room, walls)
-    return tuple(found)
+    return tuple(chain for walls in _sides(room) for chain in _chains(room, walls))
 
 
 def margin(room: Room) -> float:
@@ -56,8 +52,7 @@ def margin(room: Room) -> float:
 
 def _sides(room: Room) -> list[list[Wall]]:
     """Return the walls that share dimension lines: those of one side if all run along the axes, else each its own."""
-    straight = all(min(map(abs, wall.normal)) < SHEET.same for wall in room.walls)
-    if not straight:
+    if any(min(map(abs, wall.normal)) >= SHEET.same for wall in room.walls):
         return [[wall] for wall in room.walls]
     sides: list[list[Wall]] = []
     for turn in range(4):
@@ -70,8 +65,8 @@ def _sides(room: Room) -> list[list[Wall]]:
     return sides
 
 
-def _chains(room: Room, walls: Sequence[Wall]) -> list[Chain]:
-    """Return the chains of walls that share a line: openings, walls, the whole."""
+def _chains(room: Room, walls: Sequence[Wall]) -> Iterator[Chain]:
+    """Yield the chains of walls that share a line: openings, walls, the whole."""
     first = walls[0]
     out = (-first.normal[0], -first.normal[1])
     far = max(walls, key=lambda wall: _along(wall.start, out))
@@ -90,12 +85,10 @@ def _chains(room: Room, walls: Sequence[Wall]) -> list[Chain]:
     rows = [sorted([*ends, *openings])] if openings else []
     rows.append(sorted(ends))
     rows += [[min(ends), max(ends)]] if len(walls) > 1 else []
-    found: list[Chain] = []
     for level, row in enumerate(rows):
         kept = [row[0], *(b for a, b in pairwise(row) if b[0] - a[0] > SHEET.same)]
         marks, depths = zip(*kept, strict=True)
-        found.append(Chain(origin, first.direction, out, marks, depths, level))
-    return found
+        yield Chain(origin, first.direction, out, marks, depths, level)
 
 
 def _along(point: Point, direction: Point) -> float:

@@ -128,6 +128,11 @@ class Drawing:
         ]
 
 
+def rectangle(left: float, top: float, right: float, bottom: float) -> tuple[Point, Point, Point, Point]:
+    """Return the corners of a rectangle, clockwise on paper from the left upper one."""
+    return ((left, top), (right, top), (right, bottom), (left, bottom))
+
+
 def circle(center: Point, radius: float, sides: int = 40) -> list[Point]:
     """Return a circle as a polygon."""
     angles = [2 * math.pi * i / sides for i in range(sides)]

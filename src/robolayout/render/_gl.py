@@ -114,12 +114,10 @@ class GLRenderer:
         shown = keep[self._fine.groups] & self._fine.facing(camera.position)
         context.enable(gl.BLEND)
         context.blend_func = gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA
-        solid = np.flatnonzero(shown & self._fine.opaque)
-        near = np.linalg.norm(self._fine.corners[solid].mean(axis=1) - camera.position, axis=1)
-        self._draw("shade", camera, solid[np.argsort(near, kind="stable")])  # what is hidden then is not shaded
-        glass = np.flatnonzero(shown & ~self._fine.opaque)
-        away = np.linalg.norm(self._fine.corners[glass].mean(axis=1) - camera.position, axis=1)
-        self._draw("shade", camera, glass[np.argsort(away, kind="stable")])
+        for mask in (self._fine.opaque, ~self._fine.opaque):
+            which = np.flatnonzero(shown & mask)
+            away = np.linalg.norm(self._fine.corners[which].mean(axis=1) - camera.position, axis=1)
+            self._draw("shade", camera, which[np.argsort(away, kind="stable")])  # what is hidden then is not shaded
         context.disable(gl.BLEND)
         plain_color = context.renderbuffer(size, 4)
         plain = context.framebuffer([plain_color])

@@ -11,7 +11,7 @@ import numpy as np
 import shapely
 
 from robolayout.render._architecture import Place
-from robolayout.render._drawing import Drawing, Point, circle, text_width
+from robolayout.render._drawing import Drawing, Point, circle, rectangle, text_width
 from robolayout.render._labels import Box, Label, Tag, place_labels
 from robolayout.render._style import LABELS, PLAN
 from robolayout.render.contents import Shown, cord, display_name, front, has_arrow
@@ -144,7 +144,7 @@ def draw_labels(sheet: Drawing, shown: Shown, naming: Naming) -> frozenset[str]:
     _draw_passages(sheet, shown, spots)
     for (a, b, metres), (x, y) in zip(sorted(marks.passages), spots, strict=True):
         half = text_width(f"{metres:.2f} m", PLAN.width_text) / 2 + 0.5
-        obstacles.append(((x - half, y - 1.4), (x + half, y - 1.4), (x + half, y + 1.4), (x - half, y + 1.4)))
+        obstacles.append(rectangle(x - half, y - 1.4, x + half, y + 1.4))
         lines.append([place(*a), place(*b)])
     lines += [[place(*p) for p in arc[1:]] for arc in marks.arcs]
     tags = _tags(shown, outlines)

@@ -74,7 +74,7 @@ class RayRenderer:
         """Return ids and depths in metres (height, width); the background has id -1 and depth inf."""
         which = np.flatnonzero(keep[self._fine.groups])
         rays = camera.rays(_centers(camera))
-        triangle, _, _, far = _hits(_scene(self._fine.corners[which]), camera, rays)
+        triangle, _, far = _hits(_scene(self._fine.corners[which]), camera, rays)
         shape = (camera.height, camera.width)
         missed = triangle < 0
         ids = np.where(missed, -1, self._fine.ids[which[triangle]] if len(which) else -1).astype(np.int32)
@@ -89,12 +89,11 @@ class RayRenderer:
         surface = np.full((len(pixels), 4), -1, np.float32)
         nearest = np.full(len(pixels), np.inf, np.float32)
         for (scene, which), glass in zip(scenes, (False, True), strict=True):
-            triangle, u, v, far = _hits(scene, camera, rays)
+            triangle, shares, far = _hits(scene, camera, rays)
             hit = (triangle >= 0) & (far < nearest)
             if not hit.any():
                 continue
-            face = which[triangle[hit]]
-            weights = np.column_stack([1 - u[hit] - v[hit], u[hit], v[hit]]).astype(np.float32)
+            face, weights = which[triangle[hit]], shares[hit]
             points = (camera.position + rays[hit] * far[hit, None]).astype(np.float32)
             lit, normals = self._radiance(camera, (face, weights, points), shadows)
             opacity = self._fine.colors[face, 3:]
@@ -172,13 +171,12 @@ def textured(
 def surfaces(mesh: Mesh, camera: Camera) -> tuple[Floats, Floats]:
     """Return linear colour and normal (height, width, 3) of what each pixel shows, smoothed; 0 where there is nothing."""
     samples = (_centers(camera)[:, None] + SUBSAMPLES).reshape(-1, 2)
-    triangle, u, v, far = _hits(_scene(mesh.corners), camera, camera.rays(samples))
+    triangle, shares, far = _hits(_scene(mesh.corners), camera, camera.rays(samples))
     hit = triangle >= 0
-    face = triangle[hit]
-    weights = np.column_stack([1 - u[hit] - v[hit], u[hit], v[hit]])
+    face, weights = triangle[hit], shares[hit]
     colors, normals = np.zeros((len(hit), 3), np.float32), np.zeros((len(hit), 3), np.float32)
     pixel = far[hit] * np.float32(2 * np.tan(camera.fov / 2) / camera.height)
-    tint = textured(mesh, [_levels(texture) for texture in mesh.textures], face, weights.astype(np.float32), pixel)
+    tint = textured(mesh, [_levels(texture) for texture in mesh.textures], face, weights, pixel)
     colors[hit] = mesh.colors[face, :3] * tint
     normals[hit] = np.einsum("nk,nkd->nd", weights, mesh.normals[face])
     shape = (camera.height, camera.width, len(SUBSAMPLES), 3)
@@ -203,15 +201,15 @@ def _scene(corners: Floats) -> Any:
     return scene
 
 
-def _hits(scene: Any, camera: Camera, rays: NDArray[np.float64]) -> tuple[NDArray[np.intp], Floats, Floats, Floats]:
-    """Return triangle (-1: none), u, v and depth in metres of the first hit of each ray from the camera."""
+def _hits(scene: Any, camera: Camera, rays: NDArray[np.float64]) -> tuple[NDArray[np.intp], Floats, Floats]:
+    """Return triangle (-1: none), barycentric weights (n, 3) and depth in metres of the first hit of each ray from the camera."""
     n = len(rays)
     if scene is None or not n:
-        nothing = np.zeros(n, np.float32)
-        return np.full(n, -1), nothing, nothing, nothing
+        return np.full(n, -1), np.zeros((n, 3), np.float32), np.zeros(n, np.float32)
     start = (np.asarray(camera.position) + rays * VIEW.near).astype(np.float32)
     answer = scene.run(start, rays.astype(np.float32), query="INTERSECT", output=True)
-    return answer["primID"].astype(np.intp), answer["u"], answer["v"], answer["tfar"] + np.float32(VIEW.near)
+    u, v = answer["u"], answer["v"]
+    return answer["primID"].astype(np.intp), np.column_stack([1 - u - v, u, v]), answer["tfar"] + np.float32(VIEW.near)
 
 
 def _visible(scene: Any, points: Floats, direction: Floats, which: NDArray[np.bool_]) -> Floats:

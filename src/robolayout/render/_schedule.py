@@ -13,12 +13,14 @@ from robolayout.render.palette import INK, QUIET
 
 
 @dataclass(frozen=True)
-class Row:
-    """One entry of a list."""
+class Line:
+    """One entry of a list, and each line that is printed of it."""
 
-    text: str  # what it says; it runs on over several lines where it must
+    words: str  # what it says; an entry runs on over several lines where it must
     mark: str = ""  # what stands before it: a number, a bullet
     value: str = ""  # what stands at the right end of its first line
+    indent: float = 0.0  # where its words begin, in font sizes
+    heading: bool = False  # whether it is the heading of a block
 
 
 @dataclass(frozen=True)
@@ -26,19 +28,8 @@ class Block:
     """A heading and its rows."""
 
     title: str  # the heading
-    rows: tuple[Row, ...]  # what stands below it
+    rows: tuple[Line, ...]  # what stands below it
     indent: float = 0.0  # width that is kept for the marks, in font sizes
-
-
-@dataclass(frozen=True)
-class Line:
-    """One printed line: texts with their place in it."""
-
-    words: str
-    mark: str = ""
-    value: str = ""
-    indent: float = 0.0
-    heading: bool = False
 
 
 def columns(blocks: Sequence[Block], size: float, width: float, count: int, height: float) -> list[list[Line]] | None:
@@ -101,7 +92,7 @@ def _lines(block: Block, size: float, width: float) -> Iterator[Line]:
     yield Line(block.title, heading=True)
     for row in block.rows:
         value = text_width(row.value, size) + size if row.value else 0.0
-        pieces = wrapped(row.text, size, width - block.indent * size - value)
+        pieces = wrapped(row.words, size, width - block.indent * size - value)
         yield Line(pieces[0], row.mark, row.value, block.indent)
         yield from (Line(piece, indent=block.indent) for piece in pieces[1:])
 

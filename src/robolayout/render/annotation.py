@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 from PIL import Image
 
 from robolayout._errors import UnknownNameError
-from robolayout.render._drawing import Drawing, Point, Text, circle, paint, text_width
+from robolayout.render._drawing import Drawing, Point, Text, circle, paint, rectangle, text_width
 from robolayout.render._style import MARKS, VIEW
 from robolayout.render.camera import Camera, spherical_camera
 from robolayout.render.view import Renderer, Studio, picture_size
@@ -197,11 +197,10 @@ def _draw_tag(sheet: Drawing, mark: Mark, camera: Camera, taken: list[Box], unit
     costs = _covered([box for box, _ in options], taken) + np.array([cost for _, cost in options])
     best, least = options[int(np.argmin(costs))][0], float(costs.min())
     taken += [best, (u - reach, v - reach, u + reach, v + reach)]
-    corners = [(best[0], best[1]), (best[2], best[1]), (best[2], best[3]), (best[0], best[3])]
     middle = ((best[0] + best[2]) / 2, (best[1] + best[3]) / 2)
     if least > 10 * unit:
         sheet.line([(u, v), middle], color, width=0.7 * unit)
-    sheet.polygon([corners], WHITE, opacity=0.86, stroke=color, width=0.7 * unit)
+    sheet.polygon([rectangle(*best)], WHITE, opacity=0.86, stroke=color, width=0.7 * unit)
     sheet.words(middle, mark.text, size, color=color)
 
 

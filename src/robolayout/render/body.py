@@ -8,7 +8,7 @@ from dataclasses import replace
 import numpy as np
 from PIL import Image
 
-from robolayout.render._drawing import Drawing, Point, Shape, circle, paint
+from robolayout.render._drawing import Drawing, Point, Shape, circle, paint, rectangle
 from robolayout.render._style import BODY
 from robolayout.render.palette import FREE, INK, NARROW, QUIET, REACH, ROUTE, TURN
 from robolayout.scene import Agent
@@ -62,42 +62,35 @@ def _size(agent: Agent) -> tuple[float, float]:
 
 def _draw_above(sheet: Drawing, agent: Agent, middle: Point, k: float) -> None:
     """Draw the footprint from above, heading to the right, with everything that is measured from its centre."""
-    x, y = middle
-    length, width = (v * k for v in _size(agent))
+    (x, y), (length, width) = middle, (v * k for v in _size(agent))
     if _has_arm(agent):
         sheet.polygon([circle(middle, agent.reach * k, 72)], REACH, opacity=0.07, stroke=REACH, width=0.2)
     sheet.polygon([circle(middle, agent.radius * k, 72)], FREE, opacity=0.7, stroke=ROUTE, width=0.2, dash=(0.5, 0.6))
     if agent.length is not None:
         sheet.polygon([circle(middle, _turning(agent) / 2 * k, 72)], None, stroke=TURN, width=0.3, dash=(1.4, 0.8))
-        corners = [(x + sx * length / 2, y + sy * width / 2) for sx, sy in ((-1, -1), (1, -1), (1, 1), (-1, 1))]
-        sheet.polygon([corners], ROUTE, opacity=0.25, stroke=ROUTE, width=0.35)
+        outline = rectangle(x - length / 2, y - width / 2, x + length / 2, y + width / 2)
     else:
-        sheet.polygon([circle(middle, agent.radius * k, 72)], ROUTE, opacity=0.25, stroke=ROUTE, width=0.35)
+        outline = circle(middle, agent.radius * k, 72)
+    sheet.polygon([outline], ROUTE, opacity=0.25, stroke=ROUTE, width=0.35)
     tip = min(2.0, 0.25 * length)
     ahead = x + length / 2
     sheet.polygon([[(ahead - 0.4, y), (ahead - tip, y - 0.6 * tip), (ahead - tip, y + 0.6 * tip)]], ROUTE)
     outer = max(agent.reach if _has_arm(agent) else 0.0, agent.radius, _turning(agent) / 2) * k
-    across = "" if agent.length is None else f" x {_metres(width / k)}"
-    words = f"{_metres(length / k)}{across}" if across else f"{_metres(length / k)} across"
-    sheet.words((x, y + outer + 2.6), words, BODY.size, color=ROUTE)
+    across = " across" if agent.length is None else f" x {_metres(width / k)}"
+    sheet.words((x, y + outer + 2.6), _metres(length / k) + across, BODY.size, color=ROUTE)
 
 
 def _draw_side(sheet: Drawing, agent: Agent, floor: Point, k: float, broad: float) -> None:
     """Draw the body from the side on the floor, a doorway behind it, and the heights that count."""
     x, y = floor
-    half = _size(agent)[0] / 2 * k
+    half, aside = _size(agent)[0] / 2 * k, BODY.door[0] / 2 * k
     left, right = x - broad * k / 2, x + broad * k / 2
-    door = [
-        (x - BODY.door[0] / 2 * k, y),
-        (x - BODY.door[0] / 2 * k, y - BODY.door[1] * k),
-        (x + BODY.door[0] / 2 * k, y - BODY.door[1] * k),
-    ]
-    sheet.line([*door, (x + BODY.door[0] / 2 * k, y)], QUIET, width=0.15, dash=(0.8, 0.8))
+    door = rectangle(x - aside, y, x + aside, y - BODY.door[1] * k)
+    sheet.line((door[0], door[3], door[2], door[1]), QUIET, width=0.15, dash=(0.8, 0.8))
     if _has_arm(agent):
         sheet.polygon([_reached(agent, floor, k)], REACH, opacity=0.12, stroke=REACH, width=0.2)
-    top = y - agent.height * k
-    low = y - agent.step * k
-    body = [(x - half, low), (x - half, top), (x + half, top), (x + half, low)]
+    low, top = y - agent.step * k, y - agent.height * k
+    body = ((x - half, low), (x - half, top), (x + half, top), (x + half, low))
     sheet.polygon([body], ROUTE, opacity=0.25, stroke=ROUTE, width=0.35)
     sheet.line([(left - 3, y), (right + 1, y)], INK, width=0.35)
     marks = [(agent.height, "height", ROUTE), (agent.step, "steps over", NARROW)]

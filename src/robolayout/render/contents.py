@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from robolayout.render._architecture import Place
-from robolayout.render._drawing import Drawing, Point
+from robolayout.render._drawing import Drawing, Point, rectangle
 from robolayout.render._style import PLAN
 from robolayout.render.marks import PlanMarks, Rings
 from robolayout.render.palette import BLOCKED, FREE, ISLAND, QUIET, asset_colors
@@ -64,13 +64,8 @@ def draw_footprint(sheet: Drawing, asset: Asset, pose: Pose, place: Place, *, bl
         sheet.polygon([corners], fill, stroke=line, width=0.14, opacity=0.55, dash=(0.5, 0.4), title=asset.name)
         return
     raised = vertical_span(asset, pose)[0] > 0.05
-    sheet.polygon(
-        [corners],
-        fill,
-        stroke=BLOCKED if blocked else line,
-        width=0.6 if blocked else 0.14 if raised else 0.28,
-        title=asset.name,
-    )
+    stroke, width = (BLOCKED, 0.6) if blocked else (line, 0.14 if raised else 0.28)
+    sheet.polygon([corners], fill, stroke=stroke, width=width, title=asset.name)
     if blocked:
         sheet.line([corners[0], corners[2]], BLOCKED, width=0.2)
         sheet.line([corners[1], corners[3]], BLOCKED, width=0.2)
@@ -81,8 +76,7 @@ def draw_footprint(sheet: Drawing, asset: Asset, pose: Pose, place: Place, *, bl
 def cord(pose: Pose, place: Place) -> tuple[Point, Point, Point, Point]:
     """Return the corners of the cross where the cord of what hangs from the ceiling is fixed, millimetres."""
     x, y = place(pose.x, pose.y)
-    left, right, top, bottom = x - PLAN.cord, x + PLAN.cord, y - PLAN.cord, y + PLAN.cord
-    return ((left, top), (right, top), (right, bottom), (left, bottom))
+    return rectangle(x - PLAN.cord, y - PLAN.cord, x + PLAN.cord, y + PLAN.cord)
 
 
 LEVELS = ("flat", "floor", "object", "wall", "ceiling")  # where things are held, from below

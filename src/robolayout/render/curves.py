@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from robolayout.render._drawing import Drawing, text_width
+from robolayout.render._drawing import Drawing, rectangle, text_width
 from robolayout.render.palette import INK, QUIET
 from robolayout.scene import Trace
 
@@ -162,8 +162,7 @@ def _draw_stages(sheet: Drawing, frame: Frame, stages: Sequence[tuple[int, str]]
     for number, ((start, name), end) in enumerate(zip(stages, ends, strict=False)):
         left, right = frame.left + start * width, frame.left + min(end, steps - 1) * width
         if number % 2 and right > left:
-            box = [(left, frame.top), (right, frame.top), (right, frame.bottom), (left, frame.bottom)]
-            sheet.polygon([box], "#f6f4ef")
+            sheet.polygon([rectangle(left, frame.top, right, frame.bottom)], "#f6f4ef")
         if right - left > text_width(name, 2.4) + 1:
             sheet.words(((left + right) / 2, frame.top - 1.6), name, 2.4, color=QUIET)
 

@@ -9,7 +9,7 @@ from collections.abc import Sequence
 
 from robolayout._errors import InputError
 from robolayout.render._architecture import draw_floor, draw_walls, placing
-from robolayout.render._drawing import Drawing, Point, text_width
+from robolayout.render._drawing import Drawing, Point, rectangle, text_width
 from robolayout.render._marked import Naming, draw_labels, draw_marks
 from robolayout.render._style import PLAN
 from robolayout.render.contents import Shown, draw_contents
@@ -145,8 +145,7 @@ def draw_scale_bar(sheet: Drawing, at: Point, scale: int, width: float) -> float
     step = metres * k / 4
     for i in range(4):
         x = left + i * step
-        corners = [(x, y - 0.5), (x + step, y - 0.5), (x + step, y + 0.5), (x, y + 0.5)]
-        sheet.polygon([corners], (INK, PAPER)[i % 2], stroke=INK, width=0.13)
+        sheet.polygon([rectangle(x, y - 0.5, x + step, y + 0.5)], (INK, PAPER)[i % 2], stroke=INK, width=0.13)
     sheet.words((left, y + 2.2), "0", 1.8, color=QUIET)
     sheet.words((left + 4 * step, y + 2.2), f"{metres:g} m", 1.8, color=QUIET)
     return 4 * step
@@ -159,7 +158,7 @@ def draw_legend(sheet: Drawing, marks: PlanMarks, at: Point, width: float) -> No
     total = sum(6.0 + text_width(words, size) for *_, words in rows)
     size *= min(1.0, width / max(total, 1))
     for kind, color, words in rows:
-        box = [(x, y - 0.9), (x + 3, y - 0.9), (x + 3, y + 0.9), (x, y + 0.9)]
+        box = rectangle(x, y - 0.9, x + 3, y + 0.9)
         if kind == "area":
             sheet.polygon([box], color, stroke=QUIET, width=0.1)
         elif kind in LINES:

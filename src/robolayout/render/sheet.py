@@ -10,20 +10,20 @@ import math
 import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from itertools import groupby
 
 from robolayout.render._architecture import Place, placing, swings
 from robolayout.render._dimensions import Outline, draw_chains, margin, upright
-from robolayout.render._drawing import Drawing, Point, text_width
-from robolayout.render._furniture import Furniture, furniture
+from robolayout.render._drawing import Drawing, Point, rectangle, text_width
 from robolayout.render._labels import Label
 from robolayout.render._marked import Naming
-from robolayout.render._schedule import Block, Line, Row, columns, draw_columns, shortened, wrapped
+from robolayout.render._schedule import Block, Line, columns, draw_columns, shortened, wrapped
 from robolayout.render._style import PLAN, SHEET
 from robolayout.render.contents import Shown
 from robolayout.render.marks import PlanMarks
 from robolayout.render.palette import INK, QUIET
 from robolayout.render.plan import draw_legend, draw_room, draw_scale_bar
-from robolayout.scene import Agent, Layout, Opening, Scene, Wall
+from robolayout.scene import Agent, Asset, Layout, Opening, Scene, Wall
 
 PAPERS = {"A4": (210.0, 297.0), "A3": (297.0, 420.0)}  # width and height of the papers, millimetres
 SCALES = (
@@ -48,6 +48,16 @@ class SheetNotes:
 
 
 @dataclass(frozen=True)
+class _Furniture:
+    """What a sheet says of the things in a room."""
+
+    # the number of each thing that has one; equal things have numbers that follow each other
+    numbers: Mapping[str, int]
+    carriers: Mapping[str, str]  # for each thing without a number, the numbered one that carries it
+    rows: tuple[Line, ...]  # the list
+
+
+@dataclass(frozen=True)
 class _Given:
     """What is drawn."""
 
@@ -56,7 +66,7 @@ class _Given:
     notes: SheetNotes
     marks: PlanMarks
     agent: Agent
-    things: Furniture
+    things: _Furniture
 
 
 @dataclass(frozen=True)
@@ -75,14 +85,8 @@ class _Arranged:
 
 def draw_sheet(scene: Scene, layout: Layout, notes: SheetNotes, *, marks: PlanMarks, agent: Agent) -> Drawing:
     """Return the sheet as a drawing in paper millimetres."""
-    given = _Given(
-        scene,
-        layout,
-        notes,
-        replace(marks, routes={}, arcs=(), agent_at=None),
-        agent,
-        furniture(scene, layout, notes.carriers),
-    )
+    marks = replace(marks, routes={}, arcs=(), agent_at=None)
+    given = _Given(scene, layout, notes, marks, agent, _furniture(scene, layout, notes.carriers))
     at = _arranged(scene, _blocks(given))
     sheet = Drawing(*at.size)
     _draw_frame(sheet)
@@ -143,12 +147,7 @@ def _plan_size(scene: Scene, scale: int) -> Point:
 
 def _draw_frame(sheet: Drawing) -> None:
     right, bottom = sheet.width - SHEET.edge, sheet.height - SHEET.edge
-    sheet.polygon(
-        [[(SHEET.edge, SHEET.edge), (right, SHEET.edge), (right, bottom), (SHEET.edge, bottom)]],
-        None,
-        stroke=INK,
-        width=0.4,
-    )
+    sheet.polygon([rectangle(SHEET.edge, SHEET.edge, right, bottom)], None, stroke=INK, width=0.4)
     sheet.line([(SHEET.edge, bottom - SHEET.title), (right, bottom - SHEET.title)], INK, width=0.4)
 
 
@@ -169,17 +168,17 @@ def _draw_plan(sheet: Drawing, given: _Given, at: _Arranged) -> None:
     draw_legend(sheet, given.marks, (at.plan[0] + around, at.plan[1] + height + SHEET.legend / 2), width - 2 * around)
 
 
-def _named_openings(scene: Scene) -> list[tuple[str, Opening]]:
-    """Return doors and windows with the names that the sheet gives them."""
-    doors = [(f"D{number}", door) for number, door in enumerate(scene.room.doors, 1)]
-    return doors + [(f"W{number}", window) for number, window in enumerate(scene.room.windows, 1)]
+def _openings(scene: Scene) -> list[tuple[str, str, Opening]]:
+    """Return doors and windows with the names that the sheet gives them, and what they are."""
+    kinds = (("D", "door", scene.room.doors), ("W", "window", scene.room.windows))
+    return [(f"{letter}{n}", what, opening) for letter, what, row in kinds for n, opening in enumerate(row, 1)]
 
 
 def _draw_names(sheet: Drawing, given: _Given, place: Place, k: float) -> list[Outline]:
     """Write the names of doors and windows, and of walls that are spoken of, outside them; return their outlines."""
     scene, walls = given.scene, given.scene.room.walls
     spoken = sorted({int(number) for text in given.notes.findings for number in re.findall(r"\bwall (\d+)", text)})
-    named = [(name, walls[opening.wall], opening.center) for name, opening in _named_openings(scene)]
+    named = [(name, walls[opening.wall], opening.center) for name, _, opening in _openings(scene)]
     named += [(f"wall {i}", walls[i], _bare_middle(scene, walls[i])) for i in spoken if i < len(walls)]
     outlines: list[Outline] = []
     for name, wall, along in named:
@@ -204,16 +203,13 @@ def _bare_middle(scene: Scene, wall: Wall) -> float:
 def _blocks(given: _Given) -> list[Block]:
     """Return the lists of the sheet."""
     scene, notes = given.scene, given.notes
-    areas = [Row(words, value=value) for words, value in notes.areas]
+    areas = [Line(words, value=value) for words, value in notes.areas]
     sizes = [
-        Row(
-            f"{name} {'door' if name[0] == 'D' else 'window'}",
-            value=f"{o.width:.2f} x {o.height:.2f}{f', sill {o.sill:.2f}' if o.sill else ''}",
-        )
-        for name, o in _named_openings(scene)
+        Line(f"{name} {what}", value=f"{o.width:.2f} x {o.height:.2f}{f', sill {o.sill:.2f}' if o.sill else ''}")
+        for name, what, o in _openings(scene)
     ]
-    findings = [Row(_numbered(sentence, scene, given.things), "-") for sentence in notes.findings]
-    rules = [Row(_numbered(words, scene, given.things), "met" if met else "NOT") for words, met in notes.rules]
+    findings = [Line(_numbered(sentence, scene, given.things), "-") for sentence in notes.findings]
+    rules = [Line(_numbered(words, scene, given.things), "met" if met else "NOT") for words, met in notes.rules]
     blocks = [
         Block("Room", tuple(areas)),
         Block("Doors and windows, m", tuple(sizes)),
@@ -224,7 +220,7 @@ def _blocks(given: _Given) -> list[Block]:
     return [*(block for block in blocks if block.rows), told]
 
 
-def _numbered(sentence: str, scene: Scene, things: Furniture) -> str:
+def _numbered(sentence: str, scene: Scene, things: _Furniture) -> str:
     """Return a sentence with the things' numbers in place of their keys, and the sheet's names of the doors."""
     sentence = re.sub(r"\bdoor (\d+)", lambda match: f"door D{int(match[1]) + 1}", sentence)
     names = sorted(scene.by_name, key=len, reverse=True)
@@ -278,3 +274,51 @@ def _write(sheet: Drawing, at: Point, words: str, size: float, width: float, col
     if text_width(words, least) > width:
         words = f"{wrapped(words, least, width - text_width(' ...', least))[0]} ..."
     sheet.words(at, words, min(size, size * width / max(text_width(words, size), 0.1)), anchor="start", color=color)
+
+
+def _furniture(scene: Scene, layout: Layout, below: Mapping[str, str]) -> _Furniture:
+    """Return the numbers and the list of everything in a scene; what stands on another thing (`below`) is listed with it."""
+    carriers = {name: _lowest(name, below) for name in below}
+    kinds: dict[tuple[str, tuple[float, ...]], list[Asset]] = {}
+    for asset in scene.assets:
+        kinds.setdefault((asset.category, asset.size), []).append(asset)
+    order = [asset for kind in kinds.values() for asset in kind]
+    numbered = [asset for asset in order if asset.name in layout and asset.name not in carriers]
+    numbers = {asset.name: number for number, asset in enumerate(numbered, 1)}
+    rows = [_row(found, _spans([numbers[a.name] for a in found]), "") for found in _kinds(numbered)]
+    for found in _kinds([asset for asset in order if asset.name in carriers]):
+        on = _spans(sorted({numbers[carriers[asset.name]] for asset in found}))
+        rows.append(_row(found, "", f"on {on}"))
+    rows += [_row(found, "-", "not placed") for found in _kinds([a for a in order if a.name not in layout])]
+    return _Furniture(numbers, carriers, tuple(rows))
+
+
+def _spans(numbers: Sequence[int]) -> str:
+    """Return rising numbers in words: "3", "4-9, 12"."""
+    runs = ([n for _, n in run] for _, run in groupby(enumerate(numbers), lambda pair: pair[1] - pair[0]))
+    return ", ".join(str(run[0]) if len(run) == 1 else f"{run[0]}-{run[-1]}" for run in runs)
+
+
+def _centimetres(metres: float) -> str:
+    """Return a length in whole _centimetres, below 10 cm to a millimetre."""
+    return f"{100 * metres:.0f}" if metres >= 0.1 else f"{round(100 * metres, 1):g}"
+
+
+def _kinds(assets: Sequence[Asset]) -> list[list[Asset]]:
+    """Return neighbours of one category and size together."""
+    return [list(found) for _, found in groupby(assets, lambda asset: (asset.category, asset.size))]
+
+
+def _row(found: Sequence[Asset], mark: str, note: str) -> Line:
+    asset = found[0]
+    depth, width, height = map(_centimetres, asset.size)
+    count = f"{len(found)} x " if len(found) > 1 and not mark.isdigit() else ""
+    words = f"{count}{asset.category or asset.name}" + (f", {note}" if note else "")
+    return Line(words, mark, f"{width} x {depth} x {height}")
+
+
+def _lowest(name: str, below: Mapping[str, str]) -> str:
+    """Return what carries a thing in the end; each step leads lower, so that there is an end."""
+    while name in below:
+        name = below[name]
+    return name

@@ -10,6 +10,7 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
+from itertools import product
 from typing import Literal, Protocol
 
 import numpy as np
@@ -96,9 +97,7 @@ class Studio:
         if name != view:
             return eye_camera(agent or self.scene.agent, stand or _entrance(room), pose, size)
         reach = max(VIEW.close_least, VIEW.close * max(asset.size))
-        around = np.array([(pose.x, pose.y, pose.z)]) + reach * np.array(
-            [(a, b, c) for a in (-1, 1) for b in (-1, 1) for c in (-0.5, 0.5)]
-        )
+        around = np.array((pose.x, pose.y, pose.z)) + reach * np.array([*product((-1, 1), (-1, 1), (-0.5, 0.5))])
         cameras = [
             fitted_camera(around, polar, pose.yaw + turn, size, fov=math.radians(32), margin=0.02)
             for polar in VIEW.close_polars
@@ -109,7 +108,7 @@ class Studio:
     def _hidden_share(self, camera: Camera, name: str) -> float:
         """Return the share of points all over an asset's box that other boxes hide from a camera, in coarse steps."""
         pose, size = self.layout[name], np.array(self.scene.by_name[name].size)
-        grid = np.array([(a, b, c) for a in (-0.4, 0, 0.4) for b in (-0.4, 0, 0.4) for c in (-0.4, 0, 0.4)]) * size
+        grid = np.array([*product((-0.4, 0, 0.4), repeat=3)]) * size
         points = grid @ _turn(pose).T + (pose.x, pose.y, pose.z)
         hidden = np.zeros(len(points), dtype=np.bool_)
         for other, place in self.layout.items():
@@ -213,10 +212,9 @@ def render_asset(
 ) -> Image.Image:
     """Return a picture of one asset alone, from its front, a little from its right and from above."""
     mesh = parts_mesh(parts(asset, seed), asset.name)
-    box = np.array([(a, b, c) for a in (-0.5, 0.5) for b in (-0.5, 0.5) for c in (-0.5, 0.5)]) * asset.size
+    box = np.array([*product((-0.5, 0.5), repeat=3)]) * asset.size
     camera = fitted_camera(box, math.radians(65), math.radians(-32), picture_size(size), margin=0.08)
-    ground = _ground(asset)
-    scenery = merge(mesh, ground)
+    scenery = merge(mesh, _ground(asset))
     solid = scenery.opaque & (scenery.ids != ROOM)
     drawn = make_renderer(scenery, solid, solid, renderer)
     return Image.fromarray(drawn.color(camera, np.ones(len(scenery.names), np.bool_)))
