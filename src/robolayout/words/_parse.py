@@ -52,8 +52,6 @@ class Parser(Relating):
     def _on_stop(self, chunk: Chunk | None) -> None:
         if self.fronted is not None and not self.group and self.empty and isinstance(self.fronted[1][0], Place):
             self._keep_empty(self.fronted[0], self.fronted[1])  # "South wall: nothing."
-        elif self.fronted is not None and not self.group:
-            self.said.missed.append(self.fronted[0])  # nothing stands there
         self.spoken = list({mention.thing: mention for mention in (*self.recent, *self.targets)}.values())
         self.before = self.subject or (self.recent if self.fronted else self.group) or self.before
         self._new_sentence()

@@ -267,8 +267,7 @@ class References(Spoken):
         if (chunk.value in ("above", "behind") and not led) or any(
             a.thing is b.thing and a.pick in (None, b.pick) for a in subjects for b in led if isinstance(b, Mention)
         ):
-            self.said.missed.append(chunk)  # nothing stands at itself, or behind nothing
-            return
+            return  # nothing stands at itself, or behind nothing
         subjects = self._counted(chunk, subjects, objects)
         if chunk.value == "flank":
             chunk = self._on_both_sides(chunk, subjects, objects)

@@ -155,8 +155,6 @@ class Relating(About):
             self._objects(chunk)
             if self._ahead(-1).kind == "rel" and self._ahead(-2).kind == "function":
                 self._understood(chunk)  # "an aisle down the middle"
-            else:
-                self.said.missed.append(chunk)
             return
         every = self._ahead(-2).value in small.EVERY
         subjects = self._subjects(chunk.value)
@@ -274,8 +272,6 @@ class Relating(About):
         elif self.negated and subjects and (chunk.value in small.NEARNESS or (barred and place)):
             gap = Measure("apart", (KEPT_OFF, math.inf), 0, 0)
             self._link(replace(chunk, value="apart", measure=gap), subjects, objects)
-        elif self.negated:
-            self.said.missed.append(chunk)
         self.refusing = False
 
     def _keep_empty(self, chunk: Chunk, objects: Sequence[Mention | Place]) -> None:
@@ -329,9 +325,7 @@ class Relating(About):
         place = (replace(chunk, value="in"), [Place("side", (chunk.value,))]) if side else (chunk, objects)
         if self.zone is not None and self.zone.place is None:
             self.zone.place = place
-        elif self.zone is None or self.zone.place is None or self.zone.place[1] != place[1]:
-            self.said.missed.append(chunk)
-        else:
+        elif self.zone is not None and self.zone.place is not None and self.zone.place[1] == place[1]:
             self._understood(chunk)  # said again
 
     def _fronted_things(self) -> list[Mention]:
