@@ -42,7 +42,7 @@ class About(LedTo):
             it = self._ahead().kind == "pron"
             linked = {m for link in self.said.links if not it or link.relation != "with" for m in link.subjects}
             linked -= {last[0]}
-            return [m for m in self.group if CATALOGUE[m.thing.noun.kind].on_object and m not in linked]
+            return [m for m in self.group if m.thing.category.on_object and m not in linked]
         return last
 
     def _shared(self, relation: str) -> bool:
@@ -141,14 +141,14 @@ def _places(thing: Thing) -> set[str]:
 
 def _sat_at(mention: Mention) -> bool:
     """Return whether a thing is a seat or what one sits at."""
-    return sat_on(mention) or mention.thing.noun.kind.split()[-1] in TOPS
+    return sat_on(mention) or mention.thing.head in TOPS
 
 
 def sat_on(mention: Mention) -> bool:
     """Return whether one sits on a thing."""
-    return mention.thing.noun.kind.split()[-1] in SEATS
+    return mention.thing.head in SEATS
 
 
 def _on_tops(mention: Mention) -> bool:
     """Return whether a thing can stand on another."""
-    return CATALOGUE[mention.thing.noun.kind].on_object
+    return mention.thing.category.on_object

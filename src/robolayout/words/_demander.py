@@ -13,7 +13,7 @@ from robolayout.words import _ways as ways_of
 from robolayout.words._at_places import AtPlaces
 from robolayout.words._places import centre, corners_meant, rectangle, walls_meant
 from robolayout.words._rows import ToldRows, alike, in_rows, neighbours, on_a_wall
-from robolayout.words._said import Link, Mention, Place, Thing
+from robolayout.words._said import Link, Mention, Place, Thing, mentions, named, place_in
 from robolayout.words.demands import Demand, by_ways, single, stated
 
 
@@ -24,7 +24,7 @@ class Demander(AtPlaces):
         super().__init__(scene)
         self.names = names
         # of these only the first stands where they are put
-        self.stacked = {mention.thing for link in links if link.relation == "stacked" for mention in link.subjects}
+        self.stacked = {thing for link in links if link.relation == "stacked" for thing in named(link.subjects)}
         self.manned = {  # desks with a seat behind them
             b
             for link in links
@@ -46,13 +46,12 @@ class Demander(AtPlaces):
             return ()
         if link.relation in ("apart", "bare"):
             return tuple(self._apart(subjects, link.objects, link.metres if any(link.metres) else ways_of.OFF_A_WALL))
-        rooms = [item for item in link.objects if isinstance(item, Place) and item.name == "room"]
-        if link.relation in ways_of.ENDS and rooms:
+        if link.relation in ways_of.ENDS and place_in(link.objects, "room"):
             return tuple(self._at_place(subjects, Place("side", (ways_of.ENDS[link.relation],))))
         at_place = tuple(self._there(link, subjects))
         if link.relation in ways_of.TO_ANOTHER:
             ahead = self._of_rows(subjects, link.objects) if link.relation in ways_of.ENDS else []
-            to = [item for item in link.objects if isinstance(item, Mention)]
+            to = mentions(link.objects)
             each = [self._named(item)[:1] for item in to] if len(subjects) == 1 and len(to) > 1 else []
             twos = [(*subjects, *name) for name in each if name] or self._matched(ahead or subjects, link.objects)
             return (*at_place, *(by_ways(self._ways(link.relation, a, b), a, b) for a, b in twos))
@@ -67,7 +66,7 @@ class Demander(AtPlaces):
 
     def _there(self, link: Link, subjects: Sequence[str]) -> Iterator[Demand]:
         """Yield that things stand at the place of the room to which their relation leads, if it does."""
-        place = self._place(link.objects) if link.relation in ways_of.AT_PLACES else None
+        place = place_in(link.objects) if link.relation in ways_of.AT_PLACES else None
         if place is None:
             return
         if link.relation == "flank" and place.name in ("window", "door") and len(subjects) > 1:
@@ -91,7 +90,7 @@ class Demander(AtPlaces):
         return names if mention.pick is None else names[mention.pick] or names[:1]
 
     def _others(self, objects: Sequence[Mention | Place]) -> list[str]:
-        return [name for item in objects if isinstance(item, Mention) for name in self._named(item)]
+        return [name for item in mentions(objects) for name in self._named(item)]
 
     def _matched(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[tuple[str, str]]:
         """Yield each subject with what it stands to: in equal shares where there are several."""
@@ -106,9 +105,6 @@ class Demander(AtPlaces):
         """Return the middle one of straight rows that all look at one thing, or stand before it."""
         rows = len(subjects) > 2 and self.told.in_rows(subjects) and len(self._others(objects)) < 2
         return [subjects[self.told.abreast[subjects[0]] // 2]] if rows else []
-
-    def _place(self, objects: Sequence[Mention | Place]) -> Place | None:
-        return next((item for item in objects if isinstance(item, Place)), None)
 
     def _on(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
         for a, b in self._matched(subjects, objects):
@@ -138,7 +134,7 @@ class Demander(AtPlaces):
     def _far(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
         x0, y0, x1, y1 = self.room.bounds
         least = round(max(ways_of.LEAST_FAR, ways_of.FAR_SHARE * max(x1 - x0, y1 - y0)), 2)
-        place = self._place(objects)
+        place = place_in(objects)
         points = self._points(place) if place is not None else []
         to = [(a, point) for a in subjects for point in points]
         for a, b in (*to, *((a, AssetRef(b)) for a, b in self._matched(subjects, objects))):
@@ -148,7 +144,7 @@ class Demander(AtPlaces):
         self, subjects: Sequence[str], objects: Sequence[Mention | Place], metres: tuple[float, float]
     ) -> Iterator[Demand]:
         """So many metres between the edges of two things, or of a thing and a place; "at least" holds for each such place."""
-        place = self._place(objects)
+        place = place_in(objects)
         twos = list(self._matched(subjects, objects)) if objects else list(pairwise(subjects))
         for a, b in twos:
             yield single(self._gap(a, AssetRef(b), *metres))
@@ -225,7 +221,7 @@ class Demander(AtPlaces):
             yield Demand(((near, stated("point_towards", AssetRef(a), AssetRef(b))) if turns else (near,),))
 
     def _opposite(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
-        place = self._place(objects)
+        place = place_in(objects)
         if place is not None and place.name == "room":
             yield from self._at_place(subjects, Place("side", ("far",)))
         elif place is not None:
@@ -235,7 +231,7 @@ class Demander(AtPlaces):
 
     def _facing(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
         """Looking at a thing, a door or a window; a desk faces what one sees who sits at it."""
-        place = self._place(objects)
+        place = place_in(objects)
         others = self._others(objects)
         if one := self._of_rows(subjects, objects):  # the others look as it does
             yield Demand((tuple(stated("align_with", AssetRef(a), AssetRef(*one)) for a in subjects if a not in one),))
@@ -255,7 +251,7 @@ class Demander(AtPlaces):
 
     def _turnedfrom(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
         """Looking away from a thing, a wall, a door or a window; a desk as one does who sits at it."""
-        place = self._place(objects)
+        place = place_in(objects)
         for a in subjects:
             points = [*map(AssetRef, self._others(objects)), *(self._points(place) if place is not None else ())]
             angle = 0.0 if self._is(a, ("desk", "table")) else 180.0
@@ -356,12 +352,12 @@ class Demander(AtPlaces):
     def _amid(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
         """Between two things, or a thing and a place: near both, and on the line between them."""
         ends: list[AssetRef | PointRef] = [AssetRef(name) for name in self._others(objects) if name not in subjects]
-        place = self._place(objects)
+        place = place_in(objects)
         ends += self._points(place)[: 1 + place.plural] if place is not None else []
         for a in subjects if len(ends) > 1 else ():
             wide = self.told.abreast.get(self._others(objects)[0], 0) if place is None else 0
             across = ends[wide // 2 :: wide] if wide and len(ends) > 2 else ends  # between two rows
-            groups = [self._named(item) for item in objects if isinstance(item, Mention)]
+            groups = [self._named(item) for item in mentions(objects)]
             if not wide and len(groups) == 2 and len(ends) > 2:  # "between the sinks and the shower"
                 across = [AssetRef(groups[0][-1]), AssetRef(groups[1][0])]
             pairs = [(across[0], across[1])] if len(across) == 2 else neighbours(ends, len(subjects))
@@ -379,7 +375,7 @@ class Demander(AtPlaces):
         yield from self._at_place(subjects, Place("corner"))
 
     def _middle(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
-        place, others = self._place(objects), self._others(objects)
+        place, others = place_in(objects), self._others(objects)
         if place is not None and place.name == "wall":
             for a in subjects:
                 hangs = "mounted_on" if self._only_wall(a) else "against_wall"
@@ -414,6 +410,6 @@ class Demander(AtPlaces):
             yield from (Demand(ways) for ways in found if ways)
 
     def _atwalls(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
-        place = self._place(objects)
+        place = place_in(objects)
         if place is not None:
             yield Demand(tuple(self._at_walls(subjects, self._others(objects), place, on=True)))

@@ -5,87 +5,74 @@ from __future__ import annotations
 from dataclasses import replace
 
 from robolayout.assets import CATALOGUE
+from robolayout.scene import FLAT_HEIGHT
 from robolayout.words import _function_words as small
-from robolayout.words._said import Link, Mention, Parsed, Place
+from robolayout.words._said import Link, Parsed, Place, Thing, mentions
 from robolayout.words._ways import BEARING, SEATS, TOPS
 
-PARTING = "privacy screen"
-"""A curtain that hangs at no window."""
-
-LOOKED_AT = "projection screen"
-"""What a screen before seats is."""
+WATCHING = ("front", "facing", "opposite", "around")
+"""Relations of seats to what they look at."""
 
 
 def settle_kinds(parsed: Parsed) -> None:
     """Give things whose noun means several kinds the first kind that can be where they are asked to be."""
-    heads = {thing.noun.kind.split()[-1] for thing in parsed.things if thing.noun.kind != "side table"}
+    heads = {thing.head for thing in parsed.things if thing.noun.kind != "side table"}
     for thing in parsed.things:
         noun = thing.noun
         if noun.said == "small table" and "chair" in heads and not heads & {"table", "desk"}:
-            thing.noun = replace(noun, words="round table", kind="round table", others=())
+            _take(thing, "round table")
             thing.adjectives = (*thing.adjectives, "small")
-        kind = "table" if noun.kind in small.TABLES else noun.kind
-        rounded = f"round {kind}" if small.ROUND & {*thing.adjectives} else ""
-        if rounded in CATALOGUE:
-            thing.noun = replace(noun, words=rounded, kind=rounded, others=())
+        rounded = f"round {'table' if noun.kind in small.TABLES else noun.kind}"
+        if small.ROUND & {*thing.adjectives} and rounded in CATALOGUE:
+            _take(thing, rounded)
     for link in parsed.links:
-        _settle_low_table(link)
-        _settle_high_stool(link)
-        _settle_screen(link)
-        _settle_curtain(link)
-        hung = [item for item in link.objects if link.relation == "under" and isinstance(item, Mention)]
-        lit = [mention for mention in hung if mention.thing.noun.said in ("lamp", "light")]
-        place = "ceiling" if lit else _where(link)
-        for mention in lit or link.subjects:
-            noun = mention.thing.noun
-            for bearer in (item.thing for item in link.objects if isinstance(item, Mention)):
-                own = f"{noun.said} stand"
-                if link.relation == "on" and bearer.noun.said == "stand" and own in CATALOGUE:
-                    bearer.noun = replace(bearer.noun, words=own, kind=own, guessed="")
-            free = CATALOGUE[noun.kind].on_floor and noun.said not in ("lamp", "light", "screen")
-            on_wall = f"wall {noun.kind.split()[-1].replace('bookshelf', 'shelf')}"
-            standing = place == "wall" and free and link.relation != "above"
-            hangs = place == "wall" and link.relation == "above" and not standing
-            if hangs and on_wall in CATALOGUE and " " not in noun.said:
-                mention.thing.noun = replace(noun, words=on_wall, kind=on_wall)
-                continue
-            kinds = () if standing or not place else (noun.kind, *noun.others)
-            fits = [kind for kind in kinds if place in CATALOGUE[kind].places]
-            if noun.others and fits and noun.words in (noun.kind, noun.said):
-                words = fits[0] if noun.words == noun.kind else noun.words
-                mention.thing.noun = replace(noun, words=words, kind=fits[0], others=())
+        _settle_by_others(link)
+        _settle_by_place(link)
 
 
-def _settle_high_stool(link: Link) -> None:
-    """Take stools at counters and islands for high ones."""
-    if any(isinstance(item, Mention) and item.thing.noun.kind.endswith(small.HIGH) for item in link.objects):
-        for thing in (mention.thing for mention in link.subjects if mention.thing.noun.words == "stool"):
-            thing.noun = replace(thing.noun, words="bar stool", kind="bar stool", others=())
+def _take(thing: Thing, kind: str) -> None:
+    """Take a thing for one of a kind, whatever else its noun means."""
+    thing.noun = replace(thing.noun, words=kind, kind=kind, others=())
 
 
-def _settle_screen(link: Link) -> None:
-    """Take a screen that seats stand before for one that is looked at."""
-    sat = any(mention.thing.noun.kind.split()[-1] in (*SEATS, "projector") for mention in link.subjects)
-    for item in link.objects if sat and link.relation in ("front", "facing", "opposite", "around") else ():
-        if isinstance(item, Mention) and item.thing.noun.said == "screen":
-            item.thing.noun = replace(item.thing.noun, words=LOOKED_AT, kind=LOOKED_AT, others=())
+def _settle_by_others(link: Link) -> None:
+    """Take tables between lounge seats for low ones, stools at counters for high ones, what parts or is looked at for screens."""
+    to = [item.thing for item in mentions(link.objects)]
+    heads, amid = {thing.head for thing in to}, link.relation == "amid"
+    for thing in (mention.thing for mention in link.subjects if to):
+        if amid and heads <= small.LOUNGE and thing.noun.kind in small.TABLES:
+            _take(thing, "coffee table" if "sofa" in heads else "side table")
+        elif thing.noun.words == "stool" and any(other.noun.kind.endswith(small.HIGH) for other in to):
+            _take(thing, "bar stool")
+        elif thing.noun.kind == "curtain" and (amid or link.relation == "around"):
+            _take(thing, "privacy screen")
+    watched = link.relation in WATCHING and any(m.thing.head in (*SEATS, "projector") for m in link.subjects)
+    for thing in to if watched else ():
+        if thing.noun.said == "screen":
+            _take(thing, "projection screen")
 
 
-def _settle_curtain(link: Link) -> None:
-    """Take a curtain between things or around one for one that stands."""
-    to = any(isinstance(item, Mention) for item in link.objects)
-    for thing in (mention.thing for mention in link.subjects if to and link.relation in ("between", "amid", "around")):
-        if thing.noun.kind == "curtain":
-            thing.noun = replace(thing.noun, words=PARTING, kind=PARTING, others=())
-
-
-def _settle_low_table(link: Link) -> None:
-    """Take a table between armchairs and sofas for a low one."""
-    seats = {item.thing.noun.kind.split()[-1] for item in link.objects if isinstance(item, Mention)}
-    if link.relation in ("between", "amid") and seats and seats <= small.LOUNGE:
-        low = "coffee table" if "sofa" in seats else "side table"
-        for thing in (mention.thing for mention in link.subjects if mention.thing.noun.kind in small.TABLES):
-            thing.noun = replace(thing.noun, words=low, kind=low, others=())
+def _settle_by_place(link: Link) -> None:
+    """Take what hangs, stands or lies where a relation puts it for a kind that can be there."""
+    to = mentions(link.objects)
+    lit = [m for m in to if link.relation == "under" and m.thing.noun.said in ("lamp", "light")]
+    place = "ceiling" if lit else _where(link)
+    for thing in (mention.thing for mention in lit or link.subjects):
+        noun = thing.noun
+        for bearer in (mention.thing for mention in to):
+            own = f"{noun.said} stand"
+            if link.relation == "on" and bearer.noun.said == "stand" and own in CATALOGUE:
+                bearer.noun = replace(bearer.noun, words=own, kind=own, guessed="")
+        on_wall, above = f"wall {thing.head.replace('bookshelf', 'shelf')}", link.relation == "above"
+        if place == "wall" and above and on_wall in CATALOGUE and " " not in noun.said:
+            thing.noun = replace(noun, words=on_wall, kind=on_wall)
+            continue
+        if place == "wall" and not above and thing.category.on_floor and noun.said not in ("lamp", "light", "screen"):
+            continue  # it stands there
+        fits = [kind for kind in (noun.kind, *noun.others) if place in CATALOGUE[kind].places]
+        if noun.others and fits and noun.words in (noun.kind, noun.said):
+            words = fits[0] if noun.words == noun.kind else noun.words
+            thing.noun = replace(noun, words=words, kind=fits[0], others=())
 
 
 def _where(link: Link) -> str:
@@ -98,14 +85,16 @@ def _where(link: Link) -> str:
         return "ceiling" if to.name == "ceiling" else "wall" if hung else "floor" if link.relation == "wall" else ""
     if link.relation == "behind" and all(mention.thing.noun.said == "mirror" for mention in link.subjects):
         return "wall"
+    standing = "floor" if link.relation in small.STANDING else ""
+    if to is None or isinstance(to, Place):
+        return "ceiling" if link.relation == "above" else standing
+    bearer = to.thing
     if link.relation == "above":
-        wall = isinstance(to, Mention) and to.thing.noun.kind.split()[-1] not in (*TOPS, "chair", "island")
-        return "wall" if wall else "ceiling"
-    if link.relation == "on" and isinstance(to, Mention):
-        return "object" if not CATALOGUE[to.thing.noun.kind].size[2] < 0.03 else "floor"
-    if link.relation == "with" and isinstance(to, Mention) and to.thing.noun.kind.split()[-1] in (*BEARING, "stand"):
+        return "ceiling" if bearer.head in (*TOPS, "chair", "island") else "wall"
+    if link.relation == "on":
+        return "floor" if bearer.category.size[2] < FLAT_HEIGHT else "object"
+    if link.relation == "with" and bearer.head in (*BEARING, "stand"):
         return "object"
-    if link.relation == "flank" and isinstance(to, Mention) and to.thing.noun.kind.endswith("bed"):
+    if link.relation == "flank" and bearer.noun.kind.endswith("bed"):
         return ""  # on the night stands
-    tiny = isinstance(to, Mention) and CATALOGUE[to.thing.noun.kind].places == ("object",)
-    return "object" if tiny and link.relation in small.STANDING else "floor" if link.relation in small.STANDING else ""
+    return "object" if standing and bearer.places == ("object",) else standing

@@ -9,7 +9,7 @@ from itertools import takewhile
 from robolayout.words import _function_words as small
 from robolayout.words._chunk import Chunk
 from robolayout.words._references import References
-from robolayout.words._said import Mention, Place, laid, place_of, several
+from robolayout.words._said import Mention, Place, laid, mentions, named, place_of, several
 from robolayout.words._ways import OTHER_SIDE
 
 CORNERS, WALLS = ("near", "far"), ("facing", "behind", "by", "with")
@@ -92,7 +92,7 @@ class LedTo(References):
         if word.value in ("that", "which", "both") and not which and not that:
             return None
         self.at += 1
-        own, meant = {m.thing for m in self.about}, (self.acted or self.group)[-1:]
+        own, meant = named(self.about), (self.acted or self.group)[-1:]
         if not which:
             others = [m for m in self.recent or self.before if m.thing not in own][-1:]
             meant = others if that else self._standing(self._meant(word.value, chunk.value), chunk)
@@ -108,10 +108,8 @@ class LedTo(References):
         stands = chunk.value == "behind" or not any("object" in mention.thing.places for mention in self.about)
         if len(meant) != 1 or not (laid(meant[0]) and stands and chunk.value in small.STANDING):
             return meant
-        on = [
-            k.objects for k in self.said.links if k.relation == "on" and meant[0].thing in {m.thing for m in k.subjects}
-        ]
-        return [item for item in on[-1] if isinstance(item, Mention)] or meant if on else meant
+        on = [k.objects for k in self.said.links if k.relation == "on" and meant[0].thing in named(k.subjects)]
+        return mentions(on[-1]) or meant if on else meant
 
     def _of_a_thing(self, part: Chunk) -> bool:
         """Return whether a part is one of a thing that follows, and go there: "opposite the foot of the bed"."""
@@ -184,8 +182,7 @@ class LedTo(References):
         """Return a relation and what it leads to, where "on the other side" is the other side of what was spoken of."""
         place = objects[0] if objects and isinstance(objects[0], Place) else None
         if chunk.value == "opposite" and "other" in chunk.adjectives:  # "on the other side of the bed"
-            to = {item.thing for item in objects if isinstance(item, Mention)}
-            said = [k for k in self.said.links if to & {m.thing for m in k.objects if isinstance(m, Mention)}]
+            said = [k for k in self.said.links if named(objects) & named(k.objects)]
             sides = [k for k in said if k.relation in OTHER_SIDE][-1:]
             there = [m for k in sides if OTHER_SIDE[k.relation] == "otherside" for m in k.subjects]
             return (replace(chunk, value=OTHER_SIDE[sides[0].relation]) if sides else chunk), [*objects, *there]
@@ -206,10 +203,11 @@ class LedTo(References):
             return []
         if "same" in place.words and self._ahead().value == "as":
             self.at += 1
-            return [item for item in [self._object(self._ahead(-1))] if isinstance(item, Mention)]
+            item = self._object(self._ahead(-1))
+            return mentions([item] if item is not None else [])
         at = [k for k in self.said.links if k.relation in ("wall", "on", "by") and k.subjects and k.objects]
         at = [k for k in at if isinstance(k.objects[0], Place) and k.objects[0].name == "wall"][-1:]
-        there = [m for k in at for m in k.subjects if m.thing not in {own.thing for own in subjects}]
+        there = [m for k in at for m in k.subjects if m.thing not in named(subjects)]
         return there if {"opposite", "opposing"} & {*place.words} else []
 
     def _turned_round(self, first: int, index: int) -> bool:

@@ -8,7 +8,7 @@ from itertools import pairwise
 
 from robolayout.words import _function_words as small
 from robolayout.words._chunk import MARKS, Chunk
-from robolayout.words._said import Mention, Parsed, same
+from robolayout.words._said import Parsed, named, same
 from robolayout.words._tokens import count_of
 
 
@@ -43,7 +43,7 @@ def _idle(chunks: Sequence[Chunk], said: Parsed) -> set[int]:
     found: set[int] = set()
     for start, end in pairwise(stops):
         links = [link for link in said.links if start <= link.start < end]
-        about = {item.thing for k in links for item in (*k.subjects, *k.objects) if isinstance(item, Mention)}
+        about = {thing for link in links for thing in named((*link.subjects, *link.objects))}
         facts = any(start <= fact.start < end and fact.kind in small.OF_A_THING for fact in said.facts)
         again = {span[0] for thing in said.things if thing not in about for span in thing.spans[1:]}
         told = (c.start for c in chunks if c.start in again and c.det not in ("a", ""))

@@ -57,5 +57,5 @@ def _same_head(asset: Asset, thing: Thing) -> bool:
     category = singular(plain(asset.category)).split()
     said = [word for word in thing.noun.said.split() if word not in grammar().sizes]
     if not category or len(said) != 1:
-        return bool(category) and thing.noun.kind.split()[-1] == category[-1] and len(category) == 1
+        return bool(category) and thing.head == category[-1] and len(category) == 1
     return category[-1] == said[0] or KIN.get(category[-1]) == said[0]

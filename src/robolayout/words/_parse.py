@@ -10,13 +10,12 @@ from __future__ import annotations
 from dataclasses import replace
 from itertools import dropwhile, takewhile
 
-from robolayout.assets import CATALOGUE
 from robolayout.words import _function_words as small
 from robolayout.words._chunk import Chunk
 from robolayout.words._leftover import leftover
 from robolayout.words._lexicon import grammar
 from robolayout.words._relations import AIDS, Relating
-from robolayout.words._said import Link, Mention, Parsed, Place, place_of, same, several, topped
+from robolayout.words._said import Link, Mention, Parsed, Place, mentions, place_of, same, several, topped
 from robolayout.words._tokens import count_of
 from robolayout.words._ways import SEATS, TOPS
 
@@ -109,7 +108,7 @@ class Parser(Relating):
         thing = next((thing for thing in self.said.things if thing.spans[-1:] == spans), None)
         if thing is not None and chunk.measure.kind == "length" and self._ahead().kind == "rel":
             self.gap = chunk  # "a table 40 cm in front of the sofa"
-        elif thing is not None and chunk.measure.fits(CATALOGUE[thing.noun.kind].size):
+        elif thing is not None and chunk.measure.fits(thing.category.size):
             thing.sizes.append(chunk.measure)
             self._understood(chunk)
         elif chunk.measure.kind in ("size", "area", "height", "grid"):
@@ -123,7 +122,7 @@ class Parser(Relating):
         seated = self._previous(self.chunks[self.at - 1]) in small.SEATED
         if self.group:
             self.group[-1].thing.people = chunk.number or 0
-            seated = seated or self.group[-1].thing.noun.kind.split()[-1] in (*TOPS, *SEATS)
+            seated = seated or self.group[-1].thing.head in (*TOPS, *SEATS)
         else:
             self.said.people = chunk.number or 0
         self.said.facts.append(replace(chunk, kind="seats" if seated else "users"))
@@ -169,7 +168,7 @@ class Parser(Relating):
         if chunk.value.endswith("furniture"):
             clause = takewhile(lambda other: other.kind not in ("stop", "thing"), self.chunks[self.at :])
             placed = any(other.kind == "rel" for other in clause)  # not "the furniture is white"
-            self._these([Mention(t) for t in self.said.things if placed and CATALOGUE[t.noun.kind].on_floor])
+            self._these([Mention(t) for t in self.said.things if placed and t.category.on_floor])
             return
         room = chunk.value == "it" and self.before[:1] and self.before[0].det in ("both", "all")
         one = len(self.before) == 1 and not several(self.before[0]) and not self.group
@@ -285,7 +284,7 @@ class Parser(Relating):
             self._fact(replace(chunk, kind="function"))  # "a bottle of detergent", "a vase with flowers"
         elif held and before == "of":  # "a rack of dumbbells"
             mention = self._mention(chunk)
-            if CATALOGUE[mention.thing.noun.kind].on_object and not CATALOGUE[held[0].thing.noun.kind].on_object:
+            if mention.thing.category.on_object and not held[0].thing.category.on_object:
                 self.said.links.append(Link("on", (mention,), tuple(held), chunk.start, chunk.end))
         elif self.group and before == "for" and (bare or (noun is not None and noun.kind.startswith("unknown"))):
             self._fact(replace(chunk, kind="function"))  # "a rack for shoes", "a desk for the therapist"
@@ -312,7 +311,7 @@ class Parser(Relating):
         before = self.recent[-2:-1]
         if last is None or self._ahead(-2).kind != "thing" or not before or mention.pick is not None:
             return False
-        to = [item.thing for item in last.objects if isinstance(item, Mention) and item.pick is not None]
+        to = [item.thing for item in mentions(last.objects) if item.pick is not None]
         if to[:1] != [before[0].thing] or before[0].pick is None or last.relation not in ("on", "with"):
             return False
         self._link(Chunk("rel", chunk.start, chunk.end, last.relation), [mention], before)
@@ -349,7 +348,7 @@ class Parser(Relating):
 
     def _put_on(self, mention: Mention, holder: Mention, *, joined: bool) -> bool:
         """Return whether what another thing has is on it or at it: what can stand nowhere else, what a table has first, seats."""
-        tops = holder.thing.noun.kind.split()[-1] in ("table", "desk", "counter", "island")
+        tops = holder.thing.head in ("table", "desk", "counter", "island")
         told = self._ahead(-2).kind == "with"  # "a wardrobe with a mirror"
         return (topped(mention) or (tops and not joined and _accessory(mention)) or told) and not topped(holder)
 
@@ -430,5 +429,4 @@ class Parser(Relating):
 
 def _accessory(mention: Mention) -> bool:
     """Return whether a thing goes with another: a seat, or what can stand on a top."""
-    kind = mention.thing.noun.kind
-    return kind.split()[-1] in SEATS or CATALOGUE[kind].on_object
+    return mention.thing.head in SEATS or mention.thing.category.on_object

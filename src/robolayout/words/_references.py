@@ -8,7 +8,19 @@ from dataclasses import replace
 from robolayout.words import _function_words as small
 from robolayout.words._chunk import Chunk
 from robolayout.words._lexicon import grammar
-from robolayout.words._said import ONE_EACH, Link, Mention, Place, Thing, more_of, same, same_words, several
+from robolayout.words._said import (
+    ONE_EACH,
+    Link,
+    Mention,
+    Place,
+    Thing,
+    mentions,
+    more_of,
+    named,
+    same,
+    same_words,
+    several,
+)
 from robolayout.words._spoken import Spoken
 from robolayout.words._tokens import APART
 from robolayout.words._ways import OTHER_SIDE
@@ -64,7 +76,7 @@ class References(Spoken):
         if chunk.noun is None or not (several or chunk.det == "each"):
             return []
         ends = grammar().groups.get(chunk.noun.said, ())
-        found = [t for t in self.said.things if same(t, chunk) or t.noun.kind.split()[-1] in ends]
+        found = [t for t in self.said.things if same(t, chunk) or t.head in ends]
         count = sum(thing.count for thing in found)
         again = any(same_words(thing, chunk) for thing in found) or (len(found) == 1 and same(found[0], chunk))
         told = chunk.number or (2 if chunk.det == "both" else count)
@@ -122,7 +134,7 @@ class References(Spoken):
         """Return the thing named before that a noun phrase means; the one named last where several fit."""
         assert chunk.noun is not None
         bare = not chunk.det and chunk.number is None
-        own = {m.thing for m in self.about} if target else set[Thing]()
+        own = named(self.about if target else ())
         # nothing stands at itself: "a dog bed at the foot of the bed"
         fits = [t for t in self.said.things if same(t, chunk) and (t not in own or same_words(t, chunk))]
         fits = [t for t in fits if not (bare and chunk.rows and more_of(t, chunk))]
@@ -140,7 +152,7 @@ class References(Spoken):
             last.number = number  # "facing the mirrors, three mirrors on the wall"
             return last
         follows = self._ahead().kind
-        earlier = last not in [mention.thing for mention in self.recent]
+        earlier = last not in named(self.recent)
         if one and ((follows == "verb" and earlier) or (target and last.count > 1)):
             return last  # "three lamps. One lamp should be next to the sofa"
         if bare and not chunk.plural and not target:
@@ -186,7 +198,7 @@ class References(Spoken):
         walls = [
             self._number_of(to) if to.det in ("each", "both") else to.number or 1
             for link in self.said.links
-            if isinstance(item, Mention) and item.thing in {m.thing for m in link.subjects}
+            if isinstance(item, Mention) and item.thing in named(link.subjects)
             for to in link.objects
             if isinstance(to, Place) and to.name == "wall"
         ]
@@ -201,7 +213,7 @@ class References(Spoken):
             if not mention.per_side(chunk) or thing in self.dealt:
                 continue
             thing.number = 2 * (thing.number or 1)
-            around = [to for to in objects[:1] if isinstance(to, Mention) and to.det in ("each", "all")]
+            around = [to for to in mentions(objects[:1]) if to.det in ("each", "all")]
             thing.times = around[0].thing.count if around else 1
         several = all(mention.at_a_table and (mention.thing.number or 0) > 2 for mention in subjects)
         return replace(chunk, value="around") if several else chunk
@@ -214,7 +226,7 @@ class References(Spoken):
         if chunk.value != "wall" or last is None or not isinstance(to, Place) or to.name != "wall":
             return objects
         middle = [c.value for c in self.chunks if c.end == chunk.start] == ["middle"]
-        if not middle or last.subjects != tuple(subjects) or any(isinstance(item, Mention) for item in last.objects):
+        if not middle or last.subjects != tuple(subjects) or mentions(last.objects):
             return objects
         self.said.links.pop()
         self.said.read.update(range(last.start, last.end))
@@ -231,7 +243,7 @@ class References(Spoken):
         if self.holder or relation not in ("left", "right"):
             return self.holder or self._meant("it", relation)
         side, of = self.contrast
-        alone = {m.thing for m in self.recent} <= {m.thing for m in self.about}
+        alone = named(self.recent) <= named(self.about)
         if not (side == relation and of) and alone and len(self.before) == 1 and not several(self.before[0]):
             of = self.before  # "A sofa is in the middle. On the left stands a lamp."
             self.contrast = (OTHER_SIDE[relation], of)
@@ -265,7 +277,7 @@ class References(Spoken):
         self.about = list(subjects)
         led = objects or (self._led_back(chunk.value) if chunk.value in small.LED_BACK else [])
         if (chunk.value in ("above", "behind") and not led) or any(
-            a.thing is b.thing and a.pick in (None, b.pick) for a in subjects for b in led if isinstance(b, Mention)
+            a.thing is b.thing and a.pick in (None, b.pick) for a in subjects for b in mentions(led)
         ):
             return  # nothing stands at itself, or behind nothing
         subjects = self._counted(chunk, subjects, objects)
@@ -275,7 +287,7 @@ class References(Spoken):
             chunk = replace(chunk, value="in")  # a half of the room
         objects = self._at_middle(chunk, subjects, led)
         if objects:  # "a bed with a lamp on either side": the lamps are not on the bed
-            own, to = {m.thing for m in subjects}, {m.thing for m in objects if isinstance(m, Mention)}
+            own, to = named(subjects), named(objects)
             elsewhere = chunk.value in ("on", "flank")
             self.said.links[:] = [k for k in self.said.links if not k.had(own, None if elsewhere else to)]
         low, high = chunk.measure.values if chunk.measure else (0.0, 0.0)

@@ -12,7 +12,7 @@ from robolayout.assets import CATALOGUE
 from robolayout.words import _function_words as small
 from robolayout.words._about import About, sat_on
 from robolayout.words._chunk import Chunk
-from robolayout.words._said import Link, Mention, Place, place_of, topped
+from robolayout.words._said import Link, Mention, Place, mentions, named, place_of, topped
 from robolayout.words._tokens import Measure
 from robolayout.words._ways import SEATS, TOPS
 
@@ -47,7 +47,7 @@ class Relating(About):
             self.said.links.append(Link("rows", (self.group[-1],), (), chunk.start, chunk.end, rows=rows))
         if chunk.kind == "people" and self.group and chunk.number and self._previous(chunk) == "for":
             self.group[-1].thing.people = chunk.number
-            if self.group[-1].thing.noun.kind.split()[-1] in (*TOPS, *SEATS):
+            if self.group[-1].thing.head in (*TOPS, *SEATS):
                 self.said.facts[-1:] = [chunk, replace(chunk, kind="seats")]
         self.broken = True
 
@@ -133,7 +133,7 @@ class Relating(About):
                 found.append(item)
             else:
                 break
-        things = tuple(item for item in found if isinstance(item, Mention)) if chunk.value == "light" else ()
+        things = tuple(mentions(found)) if chunk.value == "light" else ()
         named = {"light": "lit"}.get(chunk.value, chunk.value)
         self.said.links.append(Link(named, things, () if things else tuple(found), chunk.start, chunk.end))
         self.broken = True
@@ -188,7 +188,7 @@ class Relating(About):
         )
         if at is None or led or opening.value not in ("window", "door") or self._ahead().kind != "thing":
             return False
-        things = [item for item in self._objects(chunk) if isinstance(item, Mention)]
+        things = mentions(self._objects(chunk))
         self._link(replace(chunk, value=at), things, [place_of(opening)])
         return True
 
@@ -215,9 +215,9 @@ class Relating(About):
             chunk = replace(chunk, value="turnedfrom" if backs else "amid")
         if "across" in chunk.adjectives and last is not None and (last.relation, last.end) == ("mutual", chunk.start):
             chunk = replace(chunk, value="amid")  # "two sofas facing each other across a table"
-            subjects, objects = [item for item in objects if isinstance(item, Mention)], list(last.subjects)
+            subjects, objects = mentions(objects), list(last.subjects)
         if chunk.value == "between":  # "1 m between the bed and the wardrobe"
-            chunk, subjects = replace(chunk, value="apart"), [m for m in objects if isinstance(m, Mention)][:1]
+            chunk, subjects = replace(chunk, value="apart"), mentions(objects)[:1]
             objects = [item for item in objects if item not in subjects]
         if not objects and not subjects and chunk.value in ("left", "right") and self.fronted is not None:
             objects = list(self.fronted[1])  # "beside the sofa, on the right, a lamp"
@@ -255,9 +255,9 @@ class Relating(About):
             objects = before[-1:] or objects
             laid = objects != self.holder
         hung = place and chunk.value in ("on", "hanging")  # "a sofa with the TV on the wall"
-        low = held and not topped(self.group[-1]) and not CATALOGUE[self.holder[0].thing.noun.kind].on_floor
-        sat = held and sat_on(self.group[-1]) and self.holder[0].thing.noun.kind.split()[-1] in TOPS
-        to_it = {m.thing for m in self.holder or []} & {m.thing for m in objects if isinstance(m, Mention)}
+        low = held and not topped(self.group[-1]) and not self.holder[0].thing.category.on_floor
+        sat = held and sat_on(self.group[-1]) and self.holder[0].thing.head in TOPS
+        to_it = named(self.holder) & named(objects)
         hangs = held and chunk.value == "above" and not {"floor", "object"} & {*self.holder[0].thing.places}
         laid = laid or bool(((sat and chunk.value in small.STANDING) or hangs) and objects and not to_it)
         swapped = (place or laid) and held and not (hung or (low and not hangs)) and subjects == self.group[-1:]
@@ -331,7 +331,7 @@ class Relating(About):
     def _fronted_things(self) -> list[Mention]:
         """Return the thing that a relation before this one leads to, while nothing stands there yet."""
         to = self.fronted[1] if self.fronted is not None and not self.group else []
-        return [item for item in to[:1] if isinstance(item, Mention)]
+        return mentions(to[:1])
 
     def _in_an_aid(self) -> bool:
         """Note the body of "a person in a wheelchair", "an elderly person with a walker"."""
@@ -347,7 +347,7 @@ class Relating(About):
         """Return what of some things holds others: of "a bed and two stands, each" the last, and rather a top than a seat beside it."""
         last = self.said.links[-1] if self.said.links else None
         if last is not None and len(subjects) == 1 and subjects[0] in last.objects:
-            kinds = [mention.thing.noun.kind.split()[-1] for mention in (*last.subjects, *subjects)]
+            kinds = [mention.thing.head for mention in (*last.subjects, *subjects)]
             subjects = list(last.subjects) if kinds[0] in (*TOPS, "stand", "shelf") and kinds[-1] in SEATS else subjects
         own = subjects[-1:] if every and subjects and subjects[-1].thing.count > 1 else subjects
         return [Mention(mention.thing, mention.pick, "each") for mention in own] if every else subjects
@@ -378,9 +378,9 @@ class Relating(About):
 
     def _at_sides(self, chunk: Chunk, subjects: Sequence[Mention], place: Place | None) -> bool:
         """Seats on the sides or at the ends of a table stand around it; other things at a side are on top of it or beside it."""
-        tables = [thing for thing in self.said.things if thing.noun.kind.split()[-1] in ("table", "counter", "island")]
+        tables = [thing for thing in self.said.things if thing.head in ("table", "counter", "island")]
         around = ("chair", "stool", "bench", "cushion", "armchair")
-        seats = [m for m in subjects if m.thing.noun.kind.split()[-1] in around]
+        seats = [m for m in subjects if m.thing.head in around]
         if not tables or not seats or len(seats) < len(subjects):
             return False
         if place is not None and {"back", "front", "rear"} & {*place.words}:
@@ -404,7 +404,7 @@ class Relating(About):
 
     def _reversed(self, chunk: Chunk, subjects: list[Mention], objects: Sequence[Mention | Place]) -> None:
         """Link what is said from the other side: "flanked by two lamps"."""
-        moved = [item for item in objects if isinstance(item, Mention)]
+        moved = mentions(objects)
         while chunk.value in ("holds", "flanked") and self._another():
             self.at += 2
             moved.append(self._mention(self._ahead(-1)))

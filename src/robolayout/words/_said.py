@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Set
+from collections.abc import Iterable, Set
 from dataclasses import dataclass, field
 
-from robolayout.assets import CATALOGUE
+from robolayout.assets import CATALOGUE, Category
 from robolayout.assets.palette import LOOKS
 from robolayout.words._chunk import Chunk
 from robolayout.words._lexicon import Noun
@@ -42,6 +42,16 @@ class Thing:
     told: list[str] = field(default_factory=list[str])  # words of taste that were said of it later ("the bed is brown")
 
     @property
+    def head(self) -> str:
+        """The last word of its kind: "table" of a coffee table."""
+        return self.noun.kind.split()[-1]
+
+    @property
+    def category(self) -> Category:
+        """Its kind in the catalogue."""
+        return CATALOGUE[self.noun.kind]
+
+    @property
     def places(self) -> tuple[str, ...]:
         """Where it can be: some of "floor", "wall", "ceiling", "object"."""
         return CATALOGUE[self.noun.kind].places if self.noun.kind in CATALOGUE else ()
@@ -54,7 +64,7 @@ class Thing:
     @property
     def count(self) -> int:
         """How many are asked for: as said, else two for a plural, so many for each row that is told, else one; so many times over."""
-        row = SEATED if self.rows > LONG and self.noun.kind.split()[-1] in ("chair", "seat") else LONG
+        row = SEATED if self.rows > LONG and self.head in ("chair", "seat") else LONG
         alone = {self.noun.kind, self.noun.said} & IN_PAIRS
         usual = max(2, row * self.rows) if self.plural and not alone else 1
         one = usual if self.number is None else self.number + (self.bound == "more")
@@ -77,7 +87,7 @@ class Mention:
     @property
     def at_a_table(self) -> bool:
         """Whether it is a seat of which several stand at one side of a table."""
-        return self.thing.noun.kind.split()[-1] in ("chair", "stool", "bench", "seat")
+        return self.thing.head in ("chair", "stool", "bench", "seat")
 
     def per_side(self, chunk: Chunk, place: Place | None = None) -> bool:
         """Return whether a number is said of one side: "four chairs on each side", while "two lamps on each side" are two."""
@@ -120,8 +130,9 @@ class Link:
 
     def had(self, own: Set[Thing], to: Set[Thing] | None) -> bool:
         """Return whether it only says that one of some things has a thing (any, for None)."""
-        has = {item.thing for item in self.objects if isinstance(item, Mention)}
-        return self.relation == "with" and self.subjects[0].thing in own and (to is None or bool(has & to))
+        return (
+            self.relation == "with" and self.subjects[0].thing in own and (to is None or bool(named(self.objects) & to))
+        )
 
 
 @dataclass(eq=False)
@@ -138,6 +149,21 @@ class Parsed:
     missed: list[Chunk] = field(default_factory=list[Chunk])  # chunks that nothing is made of
     read: set[int] = field(default_factory=set[int])  # further tokens that are understood
     people: int = 0  # people that the room is for, where a bare number says it ("for ten"); 0 if none does
+
+
+def mentions(items: Iterable[Mention | Place]) -> list[Mention]:
+    """Return what of some items are things."""
+    return [item for item in items if isinstance(item, Mention)]
+
+
+def named(items: Iterable[Mention | Place]) -> set[Thing]:
+    """Return the things among some items."""
+    return {item.thing for item in mentions(items)}
+
+
+def place_in(items: Iterable[Mention | Place], *names: str) -> Place | None:
+    """Return the first place among some items, one of these names if any are given."""
+    return next((item for item in items if isinstance(item, Place) and (not names or item.name in names)), None)
 
 
 def several(item: Mention | Place) -> bool:

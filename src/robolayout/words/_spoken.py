@@ -8,7 +8,7 @@ from dataclasses import replace
 from robolayout.words import _function_words as small
 from robolayout.words._chunk import NOTHING, Chunk
 from robolayout.words._lexicon import grammar
-from robolayout.words._said import Mention, Parsed, Place, Thing, place_of, several, topped
+from robolayout.words._said import Mention, Parsed, Place, Thing, mentions, named, place_of, several, topped
 from robolayout.words._ways import OTHER_SIDE
 from robolayout.words._zones import Zone
 
@@ -99,14 +99,12 @@ class Spoken:
         That is what stands before "with"; what the last "it" stood for ("a lamp behind it, a table to the left of it"); what was
         named last before; what the last relation led to, where that is one and the other is several; the subject before.
         """
-        own = {m.thing for m in self.about}
-        bearers = [k.objects for k in self.said.links if k.relation == "on" and own & {m.thing for m in k.subjects}]
-        own |= {
-            to.thing for led in bearers for to in led if isinstance(to, Mention)
-        }  # "a camera on a tripod before it"
+        own = named(self.about)
+        bearers = [named(k.objects) for k in self.said.links if k.relation == "on" and own & named(k.subjects)]
+        own = own.union(*bearers)  # "a camera on a tripod before it"
         if word.startswith("the row"):
             rows = next((list(k.subjects) for k in reversed(self.said.links) if k.relation in small.ORDERS), [])
-            others = [m for m in self.recent if several(m) and m.thing not in own | {row.thing for row in rows}]
+            others = [m for m in self.recent if several(m) and m.thing not in own | named(rows)]
             return [*rows, *others[:1]] if word == "the rows" and len(rows) == 1 and rows[0].thing.rows < 2 else rows
         holder = self.holder[0] if self.holder else None
         earlier, to = ([m for m in given if m.thing not in own] for given in (self.recent, self.targets))
@@ -138,7 +136,7 @@ class Spoken:
         again = [c.kind for c in self.chunks[max(self.at - 5, 0) : self.at]] == ["pron", "and", "thing", "rel", "pron"]
         again = again and relation != "on"  # "an armchair, a lamp behind it and a table beside it"
         again = again or (self.by_it and not self.about)  # "Under it is a bin, and next to it a cabinet."
-        kept = self.kept if (again or self._keeps(relation)) and {m.thing for m in self.other} <= own else []
+        kept = self.kept if (again or self._keeps(relation)) and named(self.other) <= own else []
         return [m for m in kept if m.thing not in own]
 
     def _last(self, word: str, relation: str, earlier: list[Mention], to: list[Mention]) -> list[Mention]:
@@ -154,15 +152,14 @@ class Spoken:
         if word == "it" and before and several(before[0]):  # "Six chairs are around it. A lamp hangs above it."
             before = [m for m in (*self.spoken, *self.kept) if m.thing.count == 1][-1:] or before
         if word == "it" and len(self.before) > 1:  # "On the desk are a lamp and a cup. Under it is a bin."
-            on = [k.objects for k in self.said.links if {m.thing for m in k.subjects} & {before[0].thing}]
-            before = [o for to in on for o in to if isinstance(o, Mention) and not several(o)][-1:] or before
+            on = [k.objects for k in self.said.links if before[0].thing in named(k.subjects)]
+            before = [o for to in on for o in mentions(to) if not several(o)][-1:] or before
         return earlier[-1:] or to[-1:] or before or self.group[:1]
 
     def _several_meant(self, earlier: list[Mention], to: list[Mention]) -> list[Mention]:
         """Return what "them" stands for: several things named at once, or the last two."""
-        own = {m.thing for m in self.about}
-        to_own = [k for k in self.said.links if own & {o.thing for o in k.objects if isinstance(o, Mention)}]
-        on = {m.thing for k in to_own for m in k.subjects}
+        own = named(self.about)
+        on = {thing for k in self.said.links if own & named(k.objects) for thing in named(k.subjects)}
         earlier = [m for m in earlier if m.thing not in on or not topped(m)]
         several = [m for m in earlier if m.thing.count > 1]
         if several and earlier[-1:] == several[-1:]:
@@ -172,7 +169,7 @@ class Spoken:
         before = self.before
         if len(before) == 1 and before[0].thing.count == 1:
             two = ([*k.subjects, *k.objects] for k in reversed(self.said.links) if k.relation != "on" and k.objects)
-            standing = ([m for m in both if isinstance(m, Mention) and not topped(m)] for both in two)
+            standing = ([m for m in mentions(both) if not topped(m)] for both in two)
             last = [m for m in self.spoken if not topped(m)][
                 -2:
             ]  # "One bed is here and one bed there. Between them ..."
@@ -188,11 +185,10 @@ class Spoken:
         if not objects:
             return
         self.told, self.by_it = self._ahead(-1).start, pronoun and fronted
-        things = [item for item in objects if isinstance(item, Mention) and item.thing.count == 1]
+        things = [item for item in mentions(objects) if item.thing.count == 1]
         if not pronoun:
             self.contrast = (OTHER_SIDE[relation], things[:1]) if relation in OTHER_SIDE else ("", [])
         if things and (pronoun or (fronted and relation in AXES)):
             self.kept, self.axis, self.other = things[:1], "" if pronoun else AXES[relation], []
         elif not pronoun:
-            led = any(isinstance(item, Mention) for item in objects)
-            self.kept, self.other = [] if fronted or led else self.kept, list(self.about)
+            self.kept, self.other = [] if fronted or mentions(objects) else self.kept, list(self.about)

@@ -5,9 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 
-from robolayout.assets import CATALOGUE
 from robolayout.words._chunk import Chunk
-from robolayout.words._said import Link, Mention, Place, topped
+from robolayout.words._said import Link, Mention, Place, named, place_in
 
 
 @dataclass(eq=False)
@@ -25,10 +24,8 @@ class Zone:
         if self.place is None:
             return
         chunk, objects = self.place
-        placed = {m.thing for k in said for m in k.subjects if any(isinstance(item, Place) for item in k.objects)}
-        free = [
-            m for m in self.things if CATALOGUE[m.thing.noun.kind].on_floor and not topped(m) and m.thing not in placed
-        ]
-        half = any(isinstance(item, Place) and item.name == "side" for item in objects)
+        placed = {thing for k in said if place_in(k.objects) for thing in named(k.subjects)}
+        free = [m for m in self.things if m.thing.category.on_floor and m.thing not in placed]
         if free:
-            yield Link(chunk.value, tuple(free if half else free[:1]), tuple(objects), chunk.start, chunk.end)
+            about = tuple(free if place_in(objects, "side") else free[:1])
+            yield Link(chunk.value, about, tuple(objects), chunk.start, chunk.end)

@@ -20,7 +20,7 @@ from robolayout.words._demander import Demander
 from robolayout.words._judged import Finding, Furnished, Row, Verdict
 from robolayout.words._lexicon import Lexicon, grammar
 from robolayout.words._match import fits, stand_ins
-from robolayout.words._said import Link, Mention, Place, Thing
+from robolayout.words._said import Link, Place, Thing, mentions, place_in
 from robolayout.words._tokens import Measure
 from robolayout.words.demands import Demand
 from robolayout.words.reading import Reading, read_text
@@ -251,8 +251,7 @@ class _Rows:
         said = [about, words, to] if about not in words.lower() else [to, "with", words] if to else [words]
         understanding = " ".join(said).strip()
         demands = self.demander.demands(link)
-        hung = [item for item in link.objects if isinstance(item, Place) and item.name == "ceiling"]
-        if not demands and hung and link.subjects:
+        if not demands and place_in(link.objects, "ceiling") and link.subjects:
             things = tuple(name for mention in link.subjects for name in self.names.get(mention.thing, ()))
             return Row(understanding, "relation", "hangs from the ceiling", as_row.hangs(things), things)
         if not demands:
@@ -275,16 +274,14 @@ class _Rows:
 
     def _left_out(self, link: Link, row: Row) -> Iterator[Row]:
         """Yield the things of a relation that its row asks nothing of, while it does of others."""
-        items = [item for item in (*link.subjects, *link.objects) if isinstance(item, Mention)]
-        for item in items if row.demands else ():
+        for item in mentions((*link.subjects, *link.objects)) if row.demands else ():
             if (names := self.names.get(item.thing)) and not {*names} & {*row.things}:
                 yield as_row.unread(f"{as_row.shown(item)}: {row.words}", "nothing is asked of it there")
 
     def _way(self, link: Link, words: str) -> Row:
         """Return the row of a way: the body gets up to each of the things and places that are named."""
         to = " and ".join(as_row.shown(item) for item in link.objects)
-        named = [self.names.get(item.thing, ()) for item in link.objects if isinstance(item, Mention)]
-        things = tuple(name for names in named for name in names)
+        things = tuple(name for item in mentions(link.objects) for name in self.names.get(item.thing, ()))
         room = self.scene.room
         openings: dict[str, tuple[Opening, ...]] = {"door": room.doors, "window": room.windows}
         places = [openings[item.name] for item in link.objects if isinstance(item, Place) and item.name in openings]

@@ -153,7 +153,7 @@ def read_text(text: str, lexicon: Lexicon) -> Reading:
     number = bounded(people[0], "people")
     seats = number or next((thing.people * thing.count for thing in parsed.things if thing.people), 0)
     for thing in parsed.things:
-        if seats and thing.plural and thing.number is None and thing.noun.kind.split()[-1] in ONE_EACH:
+        if seats and thing.plural and thing.number is None and thing.head in ONE_EACH:
             thing.number = max(seats // thing.times, 1)  # "for ten people, with chairs"
         bounded(thing.count, thing.noun.words)
     return Reading(
