@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 from itertools import pairwise
 
 from robolayout.constraints import AssetRef, PointRef, Relation, WallRef
 from robolayout.constraints.between import BetweenTwo
 from robolayout.scene import Scene
 from robolayout.words import _ways as ways_of
-from robolayout.words._at_places import AtPlaces
-from robolayout.words._places import centre, corners_meant, rectangle, walls_meant
+from robolayout.words._places import AtPlaces, centre, corners_meant, rectangle, walls_meant
 from robolayout.words._rows import ToldRows, alike, in_rows, neighbours, on_a_wall
 from robolayout.words._said import Link, Mention, Place, Thing, mentions, named, place_in
 from robolayout.words.demands import Demand, by_ways, single, stated
@@ -152,7 +152,7 @@ class Demander(AtPlaces):
             return
         for a in subjects:
             walls = place.name == "wall"
-            points = [WallRef(wall.index) for wall in walls_meant(self.scene, place)] if walls else self._points(place)
+            points = [WallRef(wall.index) for wall in walls_meant(self.room, place)] if walls else self._points(place)
             gaps = [self._gap(a, point, *metres) for point in points]
             if metres[1] == math.inf:
                 yield from map(single, gaps)
@@ -277,7 +277,7 @@ class Demander(AtPlaces):
     def _open(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
         """The middle of the room stays free: each thing stands in one of the four strips around it."""
         x0, y0, x1, y1 = self.room.bounds
-        x, y = centre(self.scene)
+        x, y = centre(self.room)
         half = max(ways_of.LEAST_MIDDLE, ways_of.OPEN_SHARE * min(x1 - x0, y1 - y0))
         strips = ((x0, y0, x - half, y1), (x + half, y0, x1, y1), (x0, y0, x1, y - half), (x0, y + half, x1, y1))
         for a in subjects:
@@ -375,21 +375,13 @@ class Demander(AtPlaces):
         yield from self._at_place(subjects, Place("corner"))
 
     def _middle(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
-        place, others = place_in(objects), self._others(objects)
-        if place is not None and place.name == "wall":
-            for a in subjects:
-                hangs = "mounted_on" if self._only_wall(a) else "against_wall"
-                walls = [wall for wall in walls_meant(self.scene, place) if self._fits(a, wall)]
-                ways = [
-                    (stated(hangs, AssetRef(a), WallRef(w.index)), stated("centered_on", AssetRef(a), WallRef(w.index)))
-                    for w in walls
-                ]
-                yield from [Demand(tuple(ways))] if ways else []
+        if wall := place_in(objects, "wall"):
+            yield from self._at_place(subjects, replace(wall, words=(*wall.words, "middle")))
             return
         for a, b in self._matched(subjects, objects):
             on = self._asset(a).on_object or self._asset(b).is_flat
             yield self._resting(a, b) if on else single(stated("near", AssetRef(a), AssetRef(b), ways_of.BESIDE))
-        if not others:
+        if not self._others(objects):
             yield from self._at_place(subjects, Place("middle"), share=len(subjects) > 1)
 
     def _at_place(
@@ -397,14 +389,12 @@ class Demander(AtPlaces):
     ) -> Iterator[Demand]:
         """Yield that things stand at a place of the room; where several share it, each somewhat farther from its middle."""
         together = "same" in place.words or (place.plural and "opposite" in place.words)
-        if place.name == "wall" and "middle" in place.words:
-            yield from self._middle(subjects, [place])
-        elif place.name == "wall" and together and len(subjects) > 1:
-            yield Demand(tuple(self._ways_at_walls(subjects, place, on=on)))
-        elif place.name == "corner" and len(corners := corners_meant(self.scene, place)) == len(subjects) > 1:
-            yield from (
-                single(stated("corner", AssetRef(a), vertex)) for a, vertex in zip(subjects, corners, strict=True)
-            )
+        corners = corners_meant(self.room, place) if place.name == "corner" else []
+        if place.name == "wall" and together and len(subjects) > 1 and "middle" not in place.words:
+            half = (len(subjects) + 1) // 2  # at one wall, or one half at each of two
+            yield Demand(tuple(self._at_walls(subjects[half:], subjects[:half], place, on=on)))
+        elif len(corners) == len(subjects) > 1:
+            yield from (single(stated("corner", AssetRef(a), i)) for a, i in zip(subjects, corners, strict=True))
         else:
             found = (tuple(self._ways_at(a, place, on=on, share=share)) for a in subjects)
             yield from (Demand(ways) for ways in found if ways)

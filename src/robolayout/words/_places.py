@@ -1,15 +1,17 @@
-"""Which place of the room is meant: the long wall, the north one, the one opposite the door, a corner, a half."""
+"""Where in the room a place is, and how a thing can be there: at walls, corners, doors and windows, in the middle, in a half."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
-from robolayout.constraints import PointRef
+from robolayout.constraints import AssetRef, PointRef, WallRef
 from robolayout.constraints.corner import convex_corners
-from robolayout.scene import Scene, Wall
+from robolayout.scene import Asset, Opening, Room, Scene, Wall
+from robolayout.words import _ways as ways_of
 from robolayout.words._lexicon import grammar
 from robolayout.words._said import Place
+from robolayout.words.demands import Way, stated
 
 COMPASS = {"north": (0.0, -1.0), "south": (0.0, 1.0), "east": (-1.0, 0.0), "west": (1.0, 0.0)}
 """Inward normals of walls by name, as on a plan: north is up."""
@@ -18,24 +20,27 @@ SAME = 0.05
 """Metres by which walls that count as equally long may differ."""
 
 
-def walls_meant(scene: Scene, place: Place) -> list[Wall]:
+def walls_meant(room: Room, place: Place) -> list[Wall]:
     """Return the walls that the words may mean, all walls where nothing tells them apart."""
     walls: list[Wall] = []
     for words in " ".join(place.words).split(" and "):
-        meant = list(scene.room.walls)
+        meant = list(room.walls)
         for word in words.split():
-            meant = _told(meant, grammar().walls.get(word, ""), scene) or meant
+            meant = _told(meant, grammar().walls.get(word, ""), room) or meant
         walls += [wall for wall in meant if wall not in walls]
-    if place.by is not None:
-        walls = _by_opening(scene, walls, *place.by) or walls
-    return walls
+    if place.by is None or place.by[1].name not in ("door", "window"):
+        return walls
+    how, by = place.by
+    own = {opening.wall for opening in openings(room, by.name)}
+    if how == "with":
+        return [wall for wall in walls if wall.index in own] or walls
+    return [wall for wall in walls if any(_across(wall, room.walls[index]) for index in own)] or walls
 
 
-def _told(walls: list[Wall], word: str, scene: Scene) -> list[Wall]:
+def _told(walls: list[Wall], word: str, room: Room) -> list[Wall]:
     """Return the walls of which an adjective is true."""
     if word in ("long", "short"):
-        lengths = [wall.length for wall in scene.room.walls]
-        wanted = max(lengths) if word == "long" else min(lengths)
+        wanted = (max if word == "long" else min)(wall.length for wall in room.walls)
         return [wall for wall in walls if abs(wall.length - wanted) <= SAME]
     if word in COMPASS:
         nx, ny = COMPASS[word]
@@ -43,57 +48,32 @@ def _told(walls: list[Wall], word: str, scene: Scene) -> list[Wall]:
     return []
 
 
-def _by_opening(scene: Scene, walls: list[Wall], how: str, by: Place) -> list[Wall]:
-    """Return the walls that a door or window tells: its own, or the one that it looks at."""
-    if by.name not in ("door", "window"):
-        return []
-    openings = scene.room.doors if by.name == "door" else scene.room.windows
-    own = {opening.wall for opening in openings}
-    if how == "with":
-        return [wall for wall in walls if wall.index in own]
-    return [wall for wall in walls if any(_across(wall, scene.room.walls[index]) for index in own)]
-
-
-def wall_pairs(scene: Scene, *, same: bool) -> list[tuple[Wall, Wall]]:
-    """Return each wall twice, or each two walls that face each other, in both orders."""
-    pairs = [(one, two) for one in scene.room.walls for two in scene.room.walls]
-    return [(one, two) for one, two in pairs if (one is two if same else _across(one, two))]
-
-
 def _across(one: Wall, two: Wall) -> bool:
     return one.normal[0] * two.normal[0] + one.normal[1] * two.normal[1] < -math.sqrt(0.5)
 
 
-def corners_meant(scene: Scene, place: Place) -> list[int]:
+def corners_meant(room: Room, place: Place) -> list[int]:
     """Return the corners that the words mean, all where nothing tells them apart."""
-    x, y = centre(scene)
+    x, y = centre(room)
     normals = [COMPASS[wall] for word in place.words if (wall := grammar().walls.get(word, "")) in COMPASS]
-    found = list(convex_corners(scene.room))
-    meant = [
-        i
-        for i in found
-        for vx, vy in [scene.room.vertices[i]]
-        if all((vx - x) * nx + (vy - y) * ny < 0 for nx, ny in normals)
-    ]
-    if place.by is not None:
-        how, by = place.by
-        walls, openings = scene.room.walls, scene.room.doors if by.name == "door" else scene.room.windows
-        away = {
-            i: min((math.dist(scene.room.vertices[i], walls[o.wall].point(o.center)) for o in openings), default=0.0)
-            for i in meant or found
-        }
-        return [(min if how == "near" else max)(away, key=lambda i: away[i])]
-    return meant or found
+    found, at = list(convex_corners(room)), room.vertices
+    meant = [i for i in found if all((at[i][0] - x) * nx + (at[i][1] - y) * ny < 0 for nx, ny in normals)] or found
+    if place.by is None:
+        return meant
+    how, by = place.by
+    middles = [room.walls[opening.wall].point(opening.center) for opening in openings(room, by.name)]
+    away = {i: min((math.dist(at[i], middle) for middle in middles), default=0.0) for i in meant}
+    return [(min if how == "near" else max)(away, key=lambda i: away[i])]
 
 
-def halves_meant(scene: Scene, place: Place) -> Iterator[tuple[PointRef, ...]]:
+def halves_meant(room: Room, place: Place) -> Iterator[tuple[PointRef, ...]]:
     """Yield the half of the room that the words name, as seen on the plan."""
-    x0, y0, x1, y1 = scene.room.bounds
+    x0, y0, x1, y1 = room.bounds
     x, y = (x0 + x1) / 2, (y0 + y1) / 2
     back = (x0, y, x1, y1)
     halves = {"left": (x0, y0, x, y1), "right": (x, y0, x1, y1), "back": back, "rear": back, "front": (x0, y0, x1, y)}
-    if scene.room.doors:  # what is across the room from who comes in
-        nx, ny = scene.room.walls[scene.room.doors[0].wall].normal
+    if room.doors:  # what is across the room from who comes in
+        nx, ny = room.walls[room.doors[0].wall].normal
         halves["far"] = halves[("left", "right")[nx > 0] if abs(nx) > abs(ny) else ("front", "back")[ny > 0]]
     ends = ("left", "right") if x1 - x0 >= y1 - y0 else ("front", "back")
     told = (ends[place.det == "other"],) if place.det in ("one", "other") or place.number == 1 else ()
@@ -104,11 +84,111 @@ def halves_meant(scene: Scene, place: Place) -> Iterator[tuple[PointRef, ...]]:
 
 def rectangle(x0: float, y0: float, x1: float, y1: float) -> tuple[PointRef, ...]:
     """Return the corners of a rectangle as points of the floor."""
-    corners = ((x0, y0), (x1, y0), (x1, y1), (x0, y1))
-    return tuple(PointRef(round(x, 3), round(y, 3)) for x, y in corners)
+    return tuple(_point(corner) for corner in ((x0, y0), (x1, y0), (x1, y1), (x0, y1)))
 
 
-def centre(scene: Scene) -> tuple[float, float]:
+def _point(at: tuple[float, float]) -> PointRef:
+    return PointRef(round(at[0], 3), round(at[1], 3))
+
+
+def centre(room: Room) -> tuple[float, float]:
     """Return the middle of the room's bounds in metres."""
-    x0, y0, x1, y1 = scene.room.bounds
+    x0, y0, x1, y1 = room.bounds
     return (round((x0 + x1) / 2, 3), round((y0 + y1) / 2, 3))
+
+
+def openings(room: Room, kind: str) -> tuple[Opening, ...]:
+    """Return the doors or the windows of a room."""
+    return room.doors if kind == "door" else room.windows
+
+
+class AtPlaces:
+    """Says in which ways things can be at the places of a scene's room."""
+
+    def __init__(self, scene: Scene) -> None:
+        self.scene, self.room = scene, scene.room
+
+    def _asset(self, name: str) -> Asset:
+        return self.scene.by_name[name]
+
+    def _is(self, name: str, words: Sequence[str]) -> bool:
+        asset = self._asset(name)
+        return any(text.endswith(word) for text in (asset.category, asset.like) for word in words)
+
+    def _only_wall(self, name: str) -> bool:
+        asset = self._asset(name)
+        return asset.on_wall and not asset.on_floor and not asset.on_object
+
+    def _held(self, name: str, on: bool) -> str:
+        """Return the statement that says that a thing is at a wall: hung on it, or standing against it."""
+        hung = on and self._asset(name).on_wall and not self._asset(name).on_floor
+        return "mounted_on" if hung or self._only_wall(name) else "against_wall"
+
+    def _at_walls(self, subjects: Sequence[str], there: Sequence[str], place: Place, *, on: bool) -> Iterator[Way]:
+        """Yield the ways in which things are at the wall where others are, or at the one across from it."""
+        same = "same" in place.words
+        for one in self.room.walls:
+            for two in self.room.walls:
+                if one is two if same else _across(one, two):
+                    both = [*((a, one) for a in there), *((a, two) for a in subjects)]
+                    yield tuple(stated(self._held(a, on), AssetRef(a), WallRef(wall.index)) for a, wall in both)
+
+    def _ways_at(self, a: str, place: Place, *, on: bool, share: bool) -> Iterator[Way]:
+        """Yield the ways in which one thing can be at a place of the room."""
+        ref, wider = AssetRef(a), 1.5 if share else 1.0
+        if place.name == "wall":
+            yield from self._ways_at_a_wall(a, place, on=on)
+        elif place.name == "corner":
+            yield from ((stated("corner", ref, vertex),) for vertex in corners_meant(self.room, place))
+        elif place.name in ("window", "door"):
+            gap = (ways_of.AT_WINDOW if place.name == "window" else ways_of.AT_DOOR) * wider
+            yield from ((stated("near", ref, point, gap),) for point in self._points(place))
+        elif place.name == "middle":
+            x0, y0, x1, y1 = self.room.bounds
+            most = max(ways_of.LEAST_MIDDLE, ways_of.MIDDLE_SHARE * min(x1 - x0, y1 - y0)) * wider
+            yield (stated("distance_constraint", ref, PointRef(*centre(self.room)), None, round(most, 2)),)
+        elif place.name == "side":
+            yield from ((stated("zone", ref, half),) for half in halves_meant(self.room, place))
+
+    def _ways_at_a_wall(self, a: str, place: Place, *, on: bool) -> Iterator[Way]:
+        """Yield the ways in which a thing is at one of the walls that are meant and long enough, or in the middle of one."""
+        middle = "middle" in place.words
+        hangs = self._held(a, on and not middle)
+        walls = [wall for wall in walls_meant(self.room, place) if self._asset(a).size[1] <= wall.length]
+        if len(walls) == len(self.room.walls) and not middle:
+            yield (stated(hangs, AssetRef(a)),)
+            return
+        for wall in (WallRef(wall.index) for wall in walls):
+            at = stated(hangs, AssetRef(a), wall)
+            yield (at, stated("centered_on", AssetRef(a), wall)) if middle else (at,)
+
+    def _ways_flanking(self, subjects: Sequence[str], place: Place) -> Iterator[Way]:
+        """Yield the ways in which things are at both sides of a door or window, in turn."""
+        for opening in openings(self.room, place.name):
+            wall = self.room.walls[opening.wall]
+            (x, y), (dx, dy), (nx, ny) = wall.point(opening.center), wall.direction, wall.normal
+            far, gap = sum(one.length for one in self.room.walls), opening.width / 2 + ways_of.BESIDE
+            middle, (u, v) = _point((x, y)), (x + far * nx, y + far * ny)
+            halves = [
+                (middle, *(PointRef(p + side * dx, q + side * dy) for p, q in ((x, y), (u, v))), PointRef(u, v))
+                for side in (far, -far)
+            ]
+            for first in (0, 1):
+                sides = ((AssetRef(a), halves[(i + first) % 2]) for i, a in enumerate(subjects))
+                yield tuple(
+                    said
+                    for ref, half in sides
+                    for said in (
+                        stated(self._held(ref.name, on=True), ref, WallRef(wall.index)),
+                        stated("near", ref, middle, gap),
+                        stated("zone", ref, half),
+                    )
+                )
+
+    def _points(self, place: Place) -> list[PointRef]:
+        """Return the middles of doors, windows or walls on the floor, or the middle of the room."""
+        if place.name in ("door", "window"):
+            return [_point(self.room.walls[o.wall].point(o.center)) for o in openings(self.room, place.name)]
+        if place.name in ("middle", "room"):
+            return [PointRef(*centre(self.room))]
+        return [_point(wall.midpoint) for wall in walls_meant(self.room, place)] if place.name == "wall" else []
