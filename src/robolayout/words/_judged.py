@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Literal
 
 from shapely.geometry.base import BaseGeometry
 
 from robolayout.assets import category_of
+from robolayout.constraints import Relation
 from robolayout.scene import Layout, Scene
 from robolayout.words._lexicon import grammar
 from robolayout.words._said import Mention, Place
@@ -56,6 +57,16 @@ class Row:
     things: tuple[str, ...] = ()
     demands: tuple[Demand, ...] = ()
 
+    @property
+    def said(self) -> Iterator[Relation]:
+        """The statements that it asks for, every way of each demand."""
+        return (said for demand in self.demands for way in demand.ways for said in way)
+
+
+def met(good: bool, value: str) -> Finding:
+    """Return whether a phrase is met, with what was measured."""
+    return ("met" if good else "unmet"), value
+
 
 def said(demand: Demand) -> str:
     """Return a demand in words."""
@@ -96,14 +107,14 @@ def airy(room: Furnished) -> Finding:
     """Judge how much of the floor furniture takes."""
     sizes = [asset.size for asset in room.scene.assets if asset.on_floor and not asset.is_flat]
     share = sum(depth * width for depth, width, _ in sizes) / room.scene.room.area
-    return ("met" if share <= AIRY else "unmet"), f"it takes {share:.0%}"
+    return met(share <= AIRY, f"it takes {share:.0%}")
 
 
 def cosy(room: Furnished) -> Finding:
     """Judge whether something soft and a warm light are there."""
     there = {category_of(room.scene.by_name[name]).name for name in room.layout if name in room.scene.by_name}
     found = [next((kind for kind in grammar().cosy[row] if kind in there), "") for row in ("soft", "warm")]
-    return ("met" if all(found) else "unmet"), " and ".join(kind or "none" for kind in found)
+    return met(all(found), " and ".join(kind or "none" for kind in found))
 
 
 def as_given(room: Furnished) -> Finding:
@@ -127,7 +138,7 @@ def seats_for(people: int) -> Callable[[Furnished], Finding]:
             for kind, asset in kinds
             if kind in SEATS
         )
-        return ("met" if seats >= people else "unmet"), f"{seats} seats there"
+        return met(seats >= people, f"{seats} seats there")
 
     return judge
 
@@ -138,7 +149,7 @@ def hangs(things: Sequence[str]) -> Callable[[Furnished], Finding]:
     def judge(room: Furnished) -> Finding:
         tops = [room.layout[name].z + room.scene.by_name[name].size[2] / 2 for name in things]
         off = max((room.scene.room.wall_height - top for top in tops), default=0.0)
-        return ("met" if off <= SIZE_OFF else "unmet"), f"{off:.2f} m below the ceiling"
+        return met(off <= SIZE_OFF, f"{off:.2f} m below the ceiling")
 
     return judge
 
@@ -166,6 +177,6 @@ def of_the_room(words: str, measure: Measure) -> Row:
         off = max(abs(a - b) for a, b in zip(there, sorted(values), strict=True))
         good = off <= (AREA_OFF * values[0] if kind == "area" else SIZE_OFF)
         shown = " x ".join(f"{value:.2f}" for value in there)
-        return ("met" if good else "unmet"), f"{shown} {'m2' if kind == 'area' else 'm'}"
+        return met(good, f"{shown} {'m2' if kind == 'area' else 'm'}")
 
     return Row(words, f"room {kind}" if kind != "grid" else "style", f"{kind} {measure.shown}", judge)

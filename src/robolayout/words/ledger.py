@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from types import MappingProxyType
 
 from shapely import LineString
@@ -13,13 +13,14 @@ from robolayout.assets import category_of
 from robolayout.constraints import AssetRef, Relation
 from robolayout.constraints._exact import footprint
 from robolayout.program import Program
-from robolayout.scene import Layout, Opening, Scene
+from robolayout.scene import Layout, Scene
 from robolayout.words import _judged as as_row
 from robolayout.words._chunk import Chunk
 from robolayout.words._demander import Demander
-from robolayout.words._judged import Finding, Furnished, Row, Verdict
+from robolayout.words._judged import Finding, Furnished, Row, Verdict, met
 from robolayout.words._lexicon import Lexicon, grammar
 from robolayout.words._match import fits, stand_ins
+from robolayout.words._places import openings
 from robolayout.words._said import Link, Place, Thing, mentions, place_in
 from robolayout.words._tokens import Measure
 from robolayout.words.demands import Demand
@@ -47,7 +48,7 @@ class AskedRow:
 class Wishes:
     """Everything that a scene's words ask for."""
 
-    rows: tuple[Row, ...] = field(default=())  # one row for each phrase
+    rows: tuple[Row, ...] = ()  # one row for each phrase
 
     @property
     def demands(self) -> tuple[Demand, ...]:
@@ -57,7 +58,7 @@ class Wishes:
     @property
     def said(self) -> dict[Relation, str]:
         """The phrases by the statements that they ask for, every way of each."""
-        return {said: row.words for row in self.rows for d in row.demands for way in d.ways for said in way}
+        return {said: row.words for row in self.rows for said in row.said}
 
     def marked(self, program: Program) -> Program:
         """Return a program whose statements say which of them the user asks for."""
@@ -76,11 +77,9 @@ class Wishes:
         found: list[AskedRow] = []
         room = Furnished(scene, layout, walked)
         for row in self.rows:
-            stated = [said for demand in row.demands for way in demand.ways for said in way]
-            reasons = dict.fromkeys(against[said] for said in stated if said in against)
+            reasons = dict.fromkeys(against[said] for said in row.said if said in against)
             missing = [name for name in row.things if name not in layout]
-            lost: Finding = ("unmet", f"{' and '.join(missing)} not placed")
-            verdict, value = lost if missing else row.judge(room)
+            verdict, value = met(False, f"{' and '.join(missing)} not placed") if missing else row.judge(room)
             if verdict == "unmet" and reasons:
                 value += f"; against it: {' and '.join(reasons)}"
             found.append(AskedRow(row.words, row.kind, row.understanding, row.things, verdict, value))
@@ -130,9 +129,8 @@ class _Rows:
 
     def _unread(self) -> Iterator[Row]:
         """Yield what was not understood."""
-        missed = [self.reading.span(chunk.start, chunk.end) for chunk in self.reading.parsed.missed]
-        for words in missed:
-            yield as_row.unread(words, "no word list has it")
+        for chunk in self.reading.parsed.missed:
+            yield as_row.unread(self.reading.span(chunk.start, chunk.end), "no word list has it")
         for word in self.reading.unknown:
             yield Row(word, "style", "said of a thing that is known; no word list has it", as_row.taste)
         if self.reading.unread:
@@ -148,9 +146,8 @@ class _Rows:
             elif chunk.kind == "body":
                 yield Row(words, "body", f"for {chunk.value}", as_row.for_body(chunk.value))
             elif chunk.kind == "seats":
-                yield Row(
-                    words, "count", f"chairs or other seats for {chunk.number}", as_row.seats_for(chunk.number or 0)
-                )
+                people = chunk.number or 0
+                yield Row(words, "count", f"chairs or other seats for {people}", as_row.seats_for(people))
             elif chunk.kind in ("people", "users"):
                 yield Row(words, "people", "who uses the room", as_row.as_given)
             elif chunk.kind == "corner":
@@ -195,7 +192,7 @@ class _Rows:
             sizes = [room.scene.by_name[name].size for name in self.names.get(thing, ())]
             off = [abs(a - b) for size in sizes for a, b in zip(size, measure.on(size), strict=True)]
             shown = "; ".join(dict.fromkeys(" x ".join(f"{side:.2f}" for side in size) for size in sizes))
-            return ("met" if off and max(off) <= as_row.SIZE_OFF else "unmet"), f"{shown} m"
+            return met(bool(off) and max(off) <= as_row.SIZE_OFF, f"{shown} m")
 
         words = f"{thing.noun.words} {self.reading.text[measure.start : measure.end]}"
         return Row(words, "attribute", f"{measure.kind} {measure.shown}", judge, self.names.get(thing, ()))
@@ -207,15 +204,14 @@ class _Rows:
             if len(set(said)) > 1:
                 words = self.reading.span(*thing.spans[0])
                 why = f"{' and '.join(dict.fromkeys(said))} exclude each other"
-                yield Row(words, "attribute", why, lambda room: ("unmet", "a thing has one of these"))
+                yield Row(words, "attribute", why, lambda room: met(False, "a thing has one of these"))
 
     def _opening(self, place: Place, words: str) -> Row:
         wanted = place.number or (2 if place.plural else 1)
 
         def judge(room: Furnished) -> Finding:
-            there = len(room.scene.room.windows if place.name == "window" else room.scene.room.doors)
-            enough = there == wanted if place.number else there >= wanted
-            return ("met" if enough else "unmet"), f"{there} there"
+            there = len(openings(room.scene.room, place.name))
+            return met(there == wanted if place.number else there >= wanted, f"{there} there")
 
         return Row(words, "opening", f"{wanted} {place.name}", judge)
 
@@ -230,12 +226,11 @@ class _Rows:
             alike = [a.name for a in room.scene.assets if a.name in own or (a.name not in others and fits(a, thing))]
             there = sum(name in room.layout for name in alike)
             least = 1 if thing.number is None else wanted  # "shelves" are some, however many
-            enough = there <= wanted if thing.bound == "most" else there >= min(least, wanted)
             if not alike:
                 return "not understood", "nothing of that name is there"
             if thing.noun.kind.startswith("unknown"):
                 return "not understood", f"no such kind is known; {there} boxes of a usual size stand for it"
-            return ("met" if enough else "unmet"), f"{there} there"
+            return met(there <= wanted if thing.bound == "most" else there >= min(least, wanted), f"{there} there")
 
         words = self.reading.span(*thing.spans[0])
         sizes = "".join(f", {word}" for word in thing.adjectives if word in grammar().sizes)
@@ -264,13 +259,11 @@ class _Rows:
             shown = next((outcome for outcome in bad or outcomes if outcome is not None), None)
             text = shown.text if shown is not None else "not placed"
             share = f"{len(outcomes) - len(bad)} of {len(outcomes)}: " if len(outcomes) > 1 else ""
-            return ("unmet" if bad else "met"), share + text
+            return met(not bad, share + text)
 
         things = tuple(dict.fromkeys(name for demand in demands for name in sorted(demand.names())))
-        said = "; ".join(dict.fromkeys(as_row.said(demand) for demand in demands[:2])) + (
-            " ..." if len(demands) > 2 else ""
-        )
-        return Row(understanding, "relation", said, judge, things, demands)
+        said = "; ".join(dict.fromkeys(as_row.said(demand) for demand in demands[:2]))
+        return Row(understanding, "relation", said + " ..." * (len(demands) > 2), judge, things, demands)
 
     def _left_out(self, link: Link, row: Row) -> Iterator[Row]:
         """Yield the things of a relation that its row asks nothing of, while it does of others."""
@@ -283,32 +276,29 @@ class _Rows:
         to = " and ".join(as_row.shown(item) for item in link.objects)
         things = tuple(name for item in mentions(link.objects) for name in self.names.get(item.thing, ()))
         room = self.scene.room
-        openings: dict[str, tuple[Opening, ...]] = {"door": room.doors, "window": room.windows}
-        places = [openings[item.name] for item in link.objects if isinstance(item, Place) and item.name in openings]
+        places = [openings(room, item.name) for item in link.objects if place_in([item], "door", "window")]
         if not things and not any(places):
             return as_row.unread(f"{words} {to}".strip(), "nothing that a way can lead to")
 
         def judge(furnished: Furnished) -> Finding:
             if furnished.walked is None:
                 return "not judged", ""
-            radius = furnished.scene.agents[0].radius
-            away = [
-                footprint(furnished.scene, furnished.layout, AssetRef(n)).distance(furnished.walked) for n in things
-            ]
-            for found in places:
-                lines = [
-                    LineString([room.walls[o.wall].point(o.offset + part * o.width) for part in (0, 1)]) for o in found
-                ]
-                away += [min(line.distance(furnished.walked) for line in lines)] if lines else []
-            ends = max(0.0, max(away) - radius)
-            return ("met" if ends <= as_row.UP_TO else "unmet"), f"the way ends {ends:.2f} m before it"
+            ends = [[footprint(furnished.scene, furnished.layout, AssetRef(name))] for name in things]
+            for found in filter(None, places):
+                sills = (
+                    (room.walls[o.wall].point(o.offset), room.walls[o.wall].point(o.offset + o.width)) for o in found
+                )
+                ends.append([LineString(sill) for sill in sills])
+            away = max(min(end.distance(furnished.walked) for end in nearest) for nearest in ends)
+            left = max(0.0, away - furnished.scene.agents[0].radius)
+            return met(left <= as_row.UP_TO, f"the way ends {left:.2f} m before it")
 
         return Row(f"{words} {to}".strip(), "way", "a way for the body", judge, things)
 
     def _refusal(self, noun: str, kind: str, words: str) -> Row:
         def judge(room: Furnished) -> Finding:
             there = [asset.name for asset in room.scene.assets if category_of(asset).name == kind]
-            return ("unmet" if there else "met"), f"{', '.join(there) or 'none'} there"
+            return met(not there, f"{', '.join(there) or 'none'} there")
 
         return Row(words, "refusal", f"no {noun}", judge)
 
