@@ -1,14 +1,12 @@
 """Sentences and criteria as rows: what is asked, what it asks of a scene, and whether a layout meets it."""
 
 from robolayout.words._lexicon import Lexicon, dressing, grammar
-from robolayout.words._match import KIN
 from robolayout.words._places import COMPASS
 from robolayout.words._said import Link, Mention, Place, Thing
 from robolayout.words._tokens import Measure
-from robolayout.words._traits import WantedOpening, sized, spoken_openings, wanted_openings
 from robolayout.words.demands import Demand
-from robolayout.words.ledger import AskedRow, Wishes, read_words, share_met
-from robolayout.words.reading import Reading, read_text
+from robolayout.words.ledger import KIN, AskedRow, Wishes, read_words, share_met
+from robolayout.words.reading import Reading, WantedOpening, read_text, sized, spoken_openings, wanted_openings
 from robolayout.words.rooms import Rooms, RoomType, read_rooms
 
 __all__ = [

@@ -2,15 +2,26 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import replace
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field, replace
 
 from robolayout.words import _function_words as small
 from robolayout.words._chunk import NOTHING, Chunk
 from robolayout.words._lexicon import grammar
-from robolayout.words._said import Mention, Parsed, Place, Thing, mentions, named, place_of, several, topped
+from robolayout.words._said import (
+    Link,
+    Mention,
+    Parsed,
+    Place,
+    Thing,
+    mentions,
+    named,
+    place_in,
+    place_of,
+    several,
+    topped,
+)
 from robolayout.words._ways import OTHER_SIDE
-from robolayout.words._zones import Zone
 
 AXES = {
     **dict.fromkeys(("left", "right"), "across"),
@@ -18,6 +29,28 @@ AXES = {
     **dict.fromkeys(("above", "under"), "up"),
 }
 """Lines through a thing by the relations that say on which side of it another one stands."""
+
+
+@dataclass(eq=False)
+class Zone:
+    """A part of the room."""
+
+    things: list[Mention] = field(default_factory=list[Mention])  # what was first named as being there
+    half: bool = False  # whether it is a half of the room by its name
+    place: tuple[Chunk, Sequence[Mention | Place]] | None = (
+        None  # where it is, if that is said: a relation, and to what
+    )
+
+    def links(self, said: Sequence[Link]) -> Iterator[Link]:
+        """Yield where its things stand, given what is said of them: all in a half of the room, else the first at the place."""
+        if self.place is None:
+            return
+        chunk, objects = self.place
+        placed = {thing for k in said if place_in(k.objects) for thing in named(k.subjects)}
+        free = [m for m in self.things if m.thing.category.on_floor and m.thing not in placed]
+        if free:
+            about = tuple(free if place_in(objects, "side") else free[:1])
+            yield Link(chunk.value, about, tuple(objects), chunk.start, chunk.end)
 
 
 class Spoken:

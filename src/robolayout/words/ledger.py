@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from types import MappingProxyType
 
@@ -10,22 +10,26 @@ from shapely import LineString
 from shapely.geometry.base import BaseGeometry
 
 from robolayout.assets import category_of
+from robolayout.assets.lexicon import singular
 from robolayout.constraints import AssetRef, Relation
 from robolayout.constraints._exact import footprint
 from robolayout.program import Program
-from robolayout.scene import Layout, Scene
+from robolayout.scene import Asset, Layout, Scene
 from robolayout.words import _judged as as_row
 from robolayout.words._chunk import Chunk
 from robolayout.words._demander import Demander
 from robolayout.words._judged import Finding, Furnished, Row, Verdict, met
-from robolayout.words._lexicon import Lexicon, grammar
-from robolayout.words._match import fits, stand_ins
+from robolayout.words._lexicon import Lexicon, grammar, plain
 from robolayout.words._places import openings
 from robolayout.words._said import Link, Place, Thing, mentions, place_in
 from robolayout.words._tokens import Measure
 from robolayout.words.demands import Demand
 from robolayout.words.reading import Reading, read_text
 from robolayout.words.rooms import read_rooms
+
+_KIN = "crib bed, cot bed, cradle bed, loveseat sofa, couch sofa, settee sofa, recliner armchair, chandelier lamp"
+KIN = {thing: other for thing, other in (pair.split() for pair in _KIN.split(", "))}
+"""Things that stand for another that they are not named after."""
 
 
 @dataclass(frozen=True)
@@ -301,6 +305,52 @@ class _Rows:
             return met(not there, f"{', '.join(there) or 'none'} there")
 
         return Row(words, "refusal", f"no {noun}", judge)
+
+
+def stand_ins(scene: Scene, things: Sequence[Thing]) -> dict[Thing, tuple[str, ...]]:
+    """Return the names of the assets that stand for each thing; one asset stands for one thing only.
+
+    The same words come first, then the same kind, then the same last word ("bed" for a single bed). A plural without a number
+    takes all that are left.
+    """
+    free = [asset for asset in scene.assets]
+    found: dict[Thing, tuple[str, ...]] = {}
+    for tier in (_same_words, _same_kind, _same_head):
+        for thing in things:
+            have = found.get(thing, ())
+            short = thing.count - len(have)
+            if short <= 0 or (have and tier is _same_head):
+                continue
+            fits = [asset for asset in free if tier(asset, thing)]
+            greedy = thing.plural and thing.number is None and thing.times == 1
+            taken = fits if greedy else fits[:short]
+            free = [asset for asset in free if asset not in taken]
+            found[thing] = (*have, *(asset.name for asset in taken))
+    return found
+
+
+def fits(asset: Asset, thing: Thing) -> bool:
+    """Return whether an asset is such a thing."""
+    return _same_words(asset, thing) or _same_kind(asset, thing) or _same_head(asset, thing)
+
+
+def _same_words(asset: Asset, thing: Thing) -> bool:
+    category = singular(plain(asset.category))
+    return category in (thing.noun.words, thing.noun.said)
+
+
+def _same_kind(asset: Asset, thing: Thing) -> bool:
+    if thing.noun.kind.startswith("unknown"):
+        return thing.noun.said in singular(plain(asset.description))
+    return category_of(asset).name == thing.noun.kind
+
+
+def _same_head(asset: Asset, thing: Thing) -> bool:
+    category = singular(plain(asset.category)).split()
+    said = [word for word in thing.noun.said.split() if word not in grammar().sizes]
+    if not category or len(said) != 1:
+        return bool(category) and thing.head == category[-1] and len(category) == 1
+    return category[-1] == said[0] or KIN.get(category[-1]) == said[0]
 
 
 def share_met(rows: tuple[AskedRow, ...]) -> float:
