@@ -11,7 +11,7 @@ from dataclasses import replace
 from itertools import dropwhile, takewhile
 
 from robolayout.words import _function_words as small
-from robolayout.words._chunk import Chunk
+from robolayout.words._chunk import NOTHING, Chunk
 from robolayout.words._leftover import leftover
 from robolayout.words._lexicon import grammar
 from robolayout.words._relations import AIDS, Relating
@@ -41,7 +41,7 @@ class Parser(Relating):
                 self._fact(replace(chunk, kind="function"))  # "a cup of coffee"
             elif chunk.kind == "other":
                 self.said.missed.append(chunk)
-            elif chunk.kind in ("room", "people", "style", "function", "corner"):
+            else:
                 self._fact(chunk)
         self._on_stop(None)
         self.said.links += [link for zone in self.zones.values() for link in zone.links(self.said.links)]
@@ -49,8 +49,8 @@ class Parser(Relating):
         return self.said
 
     def _on_stop(self, chunk: Chunk | None) -> None:
-        if self.fronted is not None and not self.group and self.empty and isinstance(self.fronted[1][0], Place):
-            self._keep_empty(self.fronted[0], self.fronted[1])  # "South wall: nothing."
+        if self.fronted is not None and self.empty and isinstance(self.fronted[1][0], Place):
+            self._keep_empty(*self.fronted)  # "South wall: nothing."
         self.spoken = list({mention.thing: mention for mention in (*self.recent, *self.targets)}.values())
         self.before = self.subject or (self.recent if self.fronted else self.group) or self.before
         self._new_sentence()
@@ -88,15 +88,15 @@ class Parser(Relating):
         if chunk.value == "all" and self._ahead().kind == "rel" and self.recent:  # "two chairs, all on a rug"
             self._these([m for m in self.recent if not topped(m)])
             self.acted, self.holder = self.group, []
-        rest = self.chunks[self.at :]
         last = self.said.links[-1] if self.said.links else None
         if chunk.value == "too" and last is not None and self.group and not self.acted and last.start < self.began:
             self.said.links.append(replace(last, subjects=tuple(self.group)))  # "a sofa by the window. A desk, too"
-        led = list(takewhile(lambda other: other.kind in ("verb", "pron") or other.value == "of", rest))
+        led = list(
+            takewhile(lambda other: other.kind in ("verb", "pron") or other.value == "of", self.chunks[self.at :])
+        )
         share, index = count_of(chunk.value), self.at + len(led)  # "one of them is against the wall"
-        leads = self._previous(chunk) != "for" and self._ahead(len(led)).kind in ("rel", "with")
-        if share and leads and self._deal(share, index):
-            self.at = index
+        if share and self._previous(chunk) != "for" and self._ahead(len(led)).kind in ("rel", "with"):
+            self._deal(share, index)
 
     def _on_measure(self, chunk: Chunk) -> None:
         """A measure of the thing before it, where it can be one ("a desk that is 1.6 m wide"); else of the room."""
@@ -119,19 +119,19 @@ class Parser(Relating):
 
     def _for_people(self, chunk: Chunk) -> None:
         """Note for how many the thing before is, or the room: "a table for six"."""
-        seated = self._previous(self.chunks[self.at - 1]) in small.SEATED
         if self.group:
             self.group[-1].thing.people = chunk.number or 0
-            seated = seated or self.group[-1].thing.head in (*TOPS, *SEATS)
+            seated = self.group[-1].thing.head in (*TOPS, *SEATS)
         else:
             self.said.people = chunk.number or 0
+            seated = self._previous(self.chunks[self.at - 1]) in small.SEATED
         self.said.facts.append(replace(chunk, kind="seats" if seated else "users"))
 
-    def _deal(self, share: int, index: int) -> bool:
+    def _deal(self, share: int, index: int) -> None:
         """Let so many of the things named last be what the relation there is about: "two at one wall and two at the other"."""
         each = bool({"each", "either"} & {*self.chunks[index].adjectives})  # "two lamps, one on each end"
         each = each or any(chunk.det == "each" for chunk in self.chunks[index + 1 : index + 2])
-        last = (self.group or self.subject or self.before)[-1:]
+        last = (self.group or self.before)[-1:]
         more = self.chunks[self.at - 2].kind == "and" and last == self.acted and last[:1] and last[0].pick is None
         if more and last[0].thing.number and last[0].thing not in self.dealt:  # "two before it and one behind it"
             k = self.said.links[-1]
@@ -142,14 +142,12 @@ class Parser(Relating):
             last[0].thing.number += share * (2 if each else 1)
         first = self.dealt.get(last[0].thing, 0) if last else 0
         if not last or first + share > last[0].thing.count:
-            return False
+            return
         self._understood(self.chunks[self.at - 1])
-        if share == last[0].thing.count:
-            return False
-        self.dealt[last[0].thing] = first + (0 if each else share)
-        self.subject = self.group = self.acted = [Mention(last[0].thing, None if each else slice(first, first + share))]
-        self.verb = False
-        return True
+        if share < last[0].thing.count:
+            self.dealt[last[0].thing] = first + share
+            pick = None if each else slice(first, first + share)
+            self.subject = self.group = self.acted = [Mention(last[0].thing, pick)]
 
     def _on_body(self, chunk: Chunk) -> None:
         """Who the room is laid out for; pets of somebody who was named live there, too."""
@@ -173,20 +171,21 @@ class Parser(Relating):
         room = chunk.value == "it" and self.before[:1] and self.before[0].det in ("both", "all")
         one = len(self.before) == 1 and not several(self.before[0]) and not self.group
         if one and chunk.value in (*small.EVERY, "they") and chunk.value != "both":
-            many = [m for m in self.spoken if several(m)][-1:] or [m for m in self.spoken if not topped(m)]
-            self.before = many or self.before  # "a bed flanked by nightstands; each of them ..."
+            self.before = [m for m in self.spoken if several(m)][
+                -1:
+            ] or self.before  # "a bed flanked by nightstands; each of them ..."
         several_meant = chunk.value in small.SEVERAL and (not self.group or self._previous(chunk) in ("and", ","))
-        to = self.targets if self.group else []
-        if several_meant and (self.before or len([*self.recent, *to]) > 1):  # "..., and both of them face the table"
-            self.subject = self.group = self._several_meant(self.recent if self.group else [], to)
+        if several_meant and (
+            self.before or len([*self.recent, *self.targets]) > 1
+        ):  # "..., and both of them face the table"
+            self.subject = self.group = self._several_meant(self.recent, self.targets)
         elif self.before and not self.group and not room:
             self.subject, self.group = list(self.before), list(self.before)
         if self._ahead().kind == "with" and self.group and chunk.value in small.EVERY:
             self.at += 1
             det = "each" if chunk.value.startswith(("each", "every")) else "all"
-            whose = self.group if all(m.thing.count == 1 for m in self.group) else self.group[-1:]
-            self.holder = [Mention(m.thing, None, det) for m in whose]
-            self._each_has(self.holder, sum(m.thing.count for m in whose))
+            self.holder = [Mention(m.thing, None, det) for m in self.group]
+            self._each_has(self.holder, sum(m.thing.count for m in self.group))
         elif chunk.value == "each" and self.group and self.holder and self.group[-1].thing is not self.holder[0].thing:
             self.group[-1].thing.times = self.holder[0].thing.count
 
@@ -205,14 +204,10 @@ class Parser(Relating):
         self.target = None
         self._note(chunk, mention)
         if chunk.det == "each" and self.group and self._previous(chunk) == "for":
-            dealt = self.group[-1].thing.count == mention.thing.count  # "four microphones, one per seat"
-            self.group[-1].thing.times = 1 if dealt else mention.thing.count
             self._link(Chunk("rel", chunk.start, chunk.end, "with"), self.group[-1:], [mention])
             return
         if self._led(mention) or self._elided(chunk, mention):
             return
-        if self.verb and not self.group and not self.subject:
-            self.subject = []
         joined = self._joined()
         if self.having and self.holder and self._put_on(mention, self.holder[0], joined=joined):
             self.said.links.append(Link("with", (mention,), tuple(self.holder), chunk.start, chunk.end))
@@ -278,9 +273,7 @@ class Parser(Relating):
             self.said.refused.append((noun, (chunk.start, chunk.end)))
         elif noun is not None and noun.kind in AIDS and before in ("use", "uses", "using", "for"):
             self._fact(Chunk("body", chunk.start, chunk.end, AIDS[noun.kind]))
-        elif held and (
-            (before == "of" and not several) or (alike and (before == "of" or self._ahead(-2).kind == "with"))
-        ):
+        elif held and (alike and (before == "of" or self._ahead(-2).kind == "with")):
             self._fact(replace(chunk, kind="function"))  # "a bottle of detergent", "a vase with flowers"
         elif held and before == "of":  # "a rack of dumbbells"
             mention = self._mention(chunk)
@@ -309,10 +302,9 @@ class Parser(Relating):
         """Return whether two things follow each other as the last two did: "the left desk has a lamp, the right one a vase"."""
         last = next((link for link in reversed(self.said.links) if link.start < chunk.start), None)
         before = self.recent[-2:-1]
-        if last is None or self._ahead(-2).kind != "thing" or not before or mention.pick is not None:
+        if last is None or not before or before[0].pick is None or self._ahead(-2).kind != "thing":
             return False
-        to = [item.thing for item in mentions(last.objects) if item.pick is not None]
-        if to[:1] != [before[0].thing] or before[0].pick is None or last.relation not in ("on", "with"):
+        if [to.thing for to in mentions(last.objects) if to.pick is not None][:1] != [before[0].thing]:
             return False
         self._link(Chunk("rel", chunk.start, chunk.end, last.relation), [mention], before)
         self.group, self.subject, self.acted = [mention], before, []
@@ -335,10 +327,8 @@ class Parser(Relating):
 
     def _alone(self, mention: Mention, *, joined: bool) -> bool:
         """Return whether a new clause begins with a thing: "..., and a rack stands at the wall"."""
-        following = self._ahead()
-        if following.kind == "with":  # "..., and a table with a lamp stands at the wall"
-            rest = dropwhile(lambda c: c.kind in ("with", "thing", "style", "and"), self.chunks[self.at :])
-            following = next(rest, following)
+        rest = dropwhile(lambda c: c.kind in ("with", "thing", "style", "and"), self.chunks[self.at :])
+        following = next(rest, NOTHING)  # "..., and a table with a lamp stands at the wall"
         starts = self._ahead(-2).kind in ("and", "comma")
         plural = not joined and following.kind == "verb" and following.value in small.FINITE
         alone = following.value in small.ALONE_DOES and (mention.thing.count == 1 if joined else starts)
@@ -359,7 +349,6 @@ class Parser(Relating):
             self._understood(*[chunk] * (chunk.value == "side"))
         if (self._ahead(-3).kind, self._ahead(-2).kind) == ("thing", "with"):
             self._fact(replace(chunk, kind="function"))  # "a wardrobe with two sliding doors"
-            self.acted = self.group[-1:]
             return
         if chunk.value in ("window", "door"):
             self._on_opening(chunk)
@@ -375,7 +364,6 @@ class Parser(Relating):
             self._link(Chunk("rel", chunk.start, chunk.end, "hanging"), self.acted, [place_of(chunk)])
         elif chunk.value in ("floor", "wall"):
             self._on_surface(chunk)
-        self.broken = True
 
     def _is_zone(self, chunk: Chunk) -> bool:
         """Return whether a side is a part of the room by what one does there: "the living part is on the left"."""
@@ -389,7 +377,6 @@ class Parser(Relating):
         """A door or window: it is asked for where a wall is told, or a number, or "a"."""
         at = self.fronted[1][0] if self.fronted is not None and not self.group else None
         walls = self._opening_walls() or (at.words if isinstance(at, Place) and at.name == "wall" else ())
-        self.fronted = None if walls and not self.group else self.fronted
         if walls or self.holder or chunk.number or chunk.det == "a":
             self.said.openings.append((replace(place_of(chunk), words=walls), (chunk.start, self._ahead(-1).end)))
 
@@ -407,9 +394,8 @@ class Parser(Relating):
             return
         wall = self._which_wall(place_of(chunk))
         starts = self._previous(chunk) in ("", ".", ";", "\n")  # "North wall: a sofa"
-        ends = ("with", "colon") if starts else ("with",)
         follows = self._ahead()
-        if follows.kind in ends or follows.value == "holds":
+        if follows.kind in (("with", "colon") if starts else ("with",)):
             self.at += 1
             self.fronted, self.group = (Chunk("rel", chunk.start, follows.end, "on"), [wall]), []
             self._understood(chunk, follows)
