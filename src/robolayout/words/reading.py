@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from itertools import pairwise
 
 from robolayout._errors import SceneError
@@ -15,11 +15,15 @@ from robolayout.words._function_words import AFTER_A_PLACE, LEAST_SAID, YOUNG
 from robolayout.words._kinds import settle_kinds
 from robolayout.words._lexicon import Lexicon, grammar
 from robolayout.words._parse import Parser
+from robolayout.words._places import COMPASS
 from robolayout.words._said import ONE_EACH, Parsed, Place
 from robolayout.words._tokens import Measure, Size, Token, count_of, measures, tokens
 
 LONGEST = 4000
 """Characters of a text that are read."""
+
+BEFORE_A_PLACE = frozenset(("filler", "verb", "style", "measure", "comma", "colon", "pron", "other", "function"))
+"""Kinds of chunks that may stand before the place that a text begins with."""
 
 MOST_OF_A_KIND = 200
 """Largest count that is furnished for."""
@@ -42,19 +46,27 @@ class Reading:
     text: str  # the text, as far as it is read
     words: Sequence[Token]
     parsed: Parsed  # things, relations, openings and facts
-    room: str | None  # name of the room type; None if none is named
-    room_words: str  # the words that name the room
-    guessed: bool  # whether the room type is only the nearest one
+    placed: Chunk | None  # the phrase that names the room, if one does
+    guessed: bool  # whether its room type is only the nearest one
     agent: str | None  # name of the body, None if none is named
     people: int  # number of people, 0 if none is given
     young: bool  # whether these are children
     only: bool  # whether nothing else is wanted
     unread: int = 0  # how many further characters there were
-    placed: Chunk | None = field(default=None)
 
     def span(self, start: int, end: int) -> str:
         """Return the words of the text from one token to another, as they stand there."""
         return self.text[self.words[start].start : self.words[end - 1].end] if end > start else ""
+
+    @property
+    def room(self) -> str | None:
+        """Name of the room type; None if none is named."""
+        return self.placed.value if self.placed is not None else None
+
+    @property
+    def room_words(self) -> str:
+        """The words that name the room."""
+        return _words(self.placed, self.words) if self.placed is not None else ""
 
     def measure(self, kind: str) -> tuple[float, ...] | None:
         """Return the values of the first measure of a kind, None if none is given."""
@@ -88,10 +100,12 @@ class Reading:
     @property
     def flanked_door(self) -> bool:
         """Whether things are to stand on both sides of the door, or in every corner, so that it stands off its own."""
-        said = [(k.relation, item) for k in self.parsed.links for item in k.objects if isinstance(item, Place)]
         return any(
-            (item.name == "corner" and (item.det == "each" or item.plural)) or (to, item.name) == ("flank", "door")
-            for to, item in said
+            (item.name == "corner" and (item.det == "each" or item.plural))
+            or (link.relation, item.name) == ("flank", "door")
+            for link in self.parsed.links
+            for item in link.objects
+            if isinstance(item, Place)
         )
 
     @property
@@ -148,18 +162,19 @@ def read_text(text: str, lexicon: Lexicon) -> Reading:
     read = text[:LONGEST]
     words = tokens(read)
     chunks = Chunker(words, measures(read), lexicon).chunks()
-    room, chunks = _named_room(chunks, words)
+    named = _place_named(chunks, words)
+    if named is not None:
+        chunks[named[0]] = named[1]
     parsed = Parser(chunks).parse()
-    if room is None:
-        first = next((chunk for chunk in parsed.facts if chunk.kind == "room"), None)
-        room = (first.value, " ".join(w.text for w in words[first.start : first.end]), False, first) if first else None
-    bodies = [chunk for chunk in parsed.facts if chunk.kind == "body"]
-    bodies += [c for chunk in parsed.facts if chunk.kind == "room" and (c := _body_before(chunk, lexicon)) is not None]
-    bodies.sort(key=lambda chunk: LEAST_SAID.index(chunk.value) if chunk.value in LEAST_SAID else -1)
-    people = [c.number or 0 for c in parsed.facts if c.kind in ("people", "body") and c.number]
+    guessed = named is not None and named[1].kind == "room"
+    rooms = [chunk for chunk in parsed.facts if chunk.kind == "room"]
+    bodies = [chunk.value for chunk in parsed.facts if chunk.kind == "body"]
+    for owner in (" ".join(room.adjectives) for room in rooms):  # "a wheelchair user's bathroom"
+        bodies += [lexicon.bodies[who] for who in (owner, owner.removesuffix("s")) if who in lexicon.bodies][:1]
+    bodies.sort(key=lambda body: LEAST_SAID.index(body) if body in LEAST_SAID else -1)
+    people = [c.number for c in parsed.facts if c.kind in ("people", "body") and c.number]
     people += [2 for c in parsed.facts if c.kind == "people" and c.value == "couple"] + [parsed.people]
-    young = any(c.kind == "people" and c.value in YOUNG for c in parsed.facts)
-    young = young or any(chunk.value == "child_6" for chunk in bodies)
+    young = "child_6" in bodies or any(c.kind == "people" and c.value in YOUNG for c in parsed.facts)
     settle_kinds(parsed)
     number = bounded(people[0], "people")
     seats = number or next((thing.people * thing.count for thing in parsed.things if thing.people), 0)
@@ -168,26 +183,17 @@ def read_text(text: str, lexicon: Lexicon) -> Reading:
             thing.number = max(seats // thing.times, 1)  # "for ten people, with chairs"
         bounded(thing.count, thing.noun.words)
     return Reading(
-        read,
-        words,
-        parsed,
-        room[0] if room else None,
-        room[1] if room else "",
-        bool(room and room[2]),
-        bodies[0].value if bodies else "child_6" if young else None,
-        number,
-        young,
-        any(word.text == "only" for word in words) or "nothing else" in read.lower(),
-        len(text) - len(read),
-        room[3] if room else None,
+        text=read,
+        words=words,
+        parsed=parsed,
+        placed=named[1] if named is not None and guessed else next(iter(rooms), None),
+        guessed=guessed,
+        agent=bodies[0] if bodies else "child_6" if young else None,
+        people=number,
+        young=young,
+        only=any(word.text == "only" for word in words) or "nothing else" in read.lower(),
+        unread=len(text) - len(read),
     )
-
-
-def _body_before(room: Chunk, lexicon: Lexicon) -> Chunk | None:
-    """Return the body whose room it is: "a wheelchair user's bathroom"."""
-    words = " ".join(room.adjectives)
-    body = lexicon.bodies.get(words) or lexicon.bodies.get(words.removesuffix("s"))
-    return Chunk("body", room.start, room.end, body) if body else None
 
 
 def bounded(count: int, what: str) -> int:
@@ -197,26 +203,20 @@ def bounded(count: int, what: str) -> int:
     return count
 
 
-def _named_room(
-    chunks: Sequence[Chunk], words: Sequence[Token]
-) -> tuple[tuple[str, str, bool, Chunk] | None, list[Chunk]]:
-    """Return the room type of a place that the list of rooms does not have ("a sushi bar"), and the chunks without it.
+def _place_named(chunks: Sequence[Chunk], words: Sequence[Token]) -> tuple[int, Chunk] | None:
+    """Return the phrase of a place that the list of rooms does not have ("a sushi bar") and where it stands, if one is named.
 
     Only the first phrase of a text can be such a place, and only where what follows says what is in it.
     """
     places = grammar().places
     for i, chunk in enumerate(chunks):
         if chunk.kind == "other" and chunk.value in places:  # "Dental clinic: ..."
-            fact = replace(chunk, kind="room", value=places[chunk.value])
-            return (fact.value, chunk.value, True, fact), [*chunks[:i], fact, *chunks[i + 1 :]]
-        if chunk.kind == "verb" and chunk.value in PLACING:
-            return None, list(chunks)  # "place a bar at the back"
-        if chunk.kind in ("filler", "verb", "style", "measure", "comma", "colon", "pron", "other", "function"):
+            return i, replace(chunk, kind="room", value=places[chunk.value])
+        if chunk.kind in BEFORE_A_PLACE and chunk.value not in PLACING:  # not "place a bar at the back"
             continue
-        if chunk.kind == "not" or chunk.kind not in ("thing", "part", "corner"):
-            return None, list(chunks)
-        said = " ".join(word.text for word in words[chunk.start : chunk.end])
-        said = said.removeprefix("a ").removeprefix("an ").removeprefix("the ")
+        if chunk.kind not in ("thing", "part", "corner"):
+            return None
+        said = _words(chunk, words)
         *more, last = said.split()
         last = more[-1] if last in ("interior", "room", "space") and more[-1:] and more[-1] in places else last
         part = chunk.kind == "part" and not (chunk.value == "door" and last in places and chunk.det == "a")
@@ -226,15 +226,18 @@ def _named_room(
         unknown = chunk.noun is not None and chunk.noun.kind.startswith("unknown") and follows in ("with", "colon")
         wrong = other or listed or (chunk.number or 1) > 1 or follows not in AFTER_A_PLACE
         if wrong or not (last in places or unknown):
-            return None, list(chunks)
-        later = [(before, c) for before, c in pairwise(chunks[i:]) if c.kind == "room" and c.value != "room"]
-        named = [c for before, c in later if before.kind != "with"]  # "a break room with a kitchenette"
-        if named:
-            use = Chunk("function", chunk.start, chunk.end, last)
-            return None, [*chunks[:i], use, *chunks[i + 1 :]]
-        fact = Chunk("room", chunk.start, chunk.end, places.get(last, "room"), adjectives=chunk.adjectives)
-        return (fact.value, said, True, fact), [*chunks[:i], fact, *chunks[i + 1 :]]
-    return None, list(chunks)
+            return None
+        later = [before.kind for before, c in pairwise(chunks[i:]) if c.kind == "room" and c.value != "room"]
+        if {*later} - {"with"}:  # not "a break room with a kitchenette"
+            return i, Chunk("function", chunk.start, chunk.end, last)
+        return i, Chunk("room", chunk.start, chunk.end, places.get(last, "room"), adjectives=chunk.adjectives)
+    return None
+
+
+def _words(chunk: Chunk, words: Sequence[Token]) -> str:
+    """Return the words of a phrase without its article."""
+    said = " ".join(word.text for word in words[chunk.start : chunk.end])
+    return said.removeprefix("a ").removeprefix("an ").removeprefix("the ")
 
 
 def sized(kind: Category, adjectives: Sequence[str], measures: Sequence[Measure] = ()) -> Size:
@@ -261,7 +264,7 @@ def wanted_openings(reading: Reading) -> tuple[WantedOpening, ...]:
     found: list[WantedOpening] = []
     walls = grammar().walls
     for place, (start, end) in reading.parsed.openings:
-        wall = next((walls[word] for word in place.words if walls.get(word) in ("north", "south", "east", "west")), "")
+        wall = next((walls[word] for word in place.words if walls.get(word) in COMPASS), "")
         large = {"large", "big", "wide", "huge"} & set(reading.span(start, end).lower().split())
         count = place.number or (2 if place.plural else 1)
         found.append(WantedOpening(place.name, min(count, 8), wall, bool(large)))
