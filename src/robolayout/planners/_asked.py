@@ -6,19 +6,12 @@ from collections.abc import Mapping, Sequence, Set
 from dataclasses import dataclass, replace
 
 from robolayout.constraints import AssetRef, Relation
-from robolayout.constraints.above import Above
 from robolayout.constraints.against_wall import AgainstWall
 from robolayout.constraints.any_of import AnyOf
-from robolayout.constraints.between import BetweenTwo
-from robolayout.constraints.corner import Corner
-from robolayout.constraints.facing_pair import FacingPair
 from robolayout.constraints.in_front_of import InFrontOf
-from robolayout.constraints.in_rows import InRows
-from robolayout.constraints.left_of import LeftOf
 from robolayout.constraints.near import Near
 from robolayout.constraints.next_to import NextTo
-from robolayout.constraints.right_of import RightOf
-from robolayout.planners._knowledge import Join, usual_say
+from robolayout.planners._knowledge import ON_ANY, Join, usual_say
 from robolayout.planners._roles import Cast, chain
 from robolayout.program import Program
 from robolayout.scene import Scene
@@ -51,6 +44,9 @@ PARTING = ("left_of({a}, {b}, {gap}, {most})", "align_with({a}, {b}, 90)")
 BACK_TO_BACK = ('centered_on({a}, {b}, "side")',)
 """What is said of a thing at the left of another, behind it, at its left to part it from the next one, and back to back with it."""
 
+AROUND = Join("around", (), gap=GAPS.seated, all=("around({items}, {b}, gap={gap})",))
+"""How seats stand around a thing."""
+
 IN_THE_LIGHT = -3.0
 """Weight of the wish of what something hangs above to stand at a window."""
 
@@ -60,7 +56,7 @@ def asked_lines(scene: Scene, demands: Sequence[Demand], known: set[str]) -> dic
 
     What a thing on a wall is to hang above stands at a wall, and rather beside its windows, unless words put it elsewhere.
     """
-    program, found, under = Program(expressions=scene.expressions), list[Relation](), list[AssetRef]()
+    program, found, under = Program(expressions=scene.expressions), list[Relation](), list[str]()
     placed = {name for demand in demands for name in subjects(demand)}
     for demand in demands:
         if not demand.names() <= known:
@@ -68,17 +64,13 @@ def asked_lines(scene: Scene, demands: Sequence[Demand], known: set[str]) -> dic
         found += demand.ways[0] if len(demand.ways) == 1 else [AnyOf(demand.ways)]
         if demand.exact is not None:
             found.append(demand.exact)
-        under += [ref for ref in _hung_over(demand, scene) if ref.name not in placed]
-    found += [AgainstWall(ref) for ref in under]
+        pairs = (one.asset_names() for one in demand.ways[0] if one.name == "above")
+        hung = (low for high, low in pairs if scene.by_name[high].on_wall and scene.by_name[low].on_floor)
+        under += [name for name in hung if name not in placed]
+    found += [AgainstWall(AssetRef(name)) for name in under]
     lines = {f"solver.{program.call(relation)}": relation.asset_names()[0] for relation in found}
     aside = f"weight={IN_THE_LIGHT:g}"
-    return lines | {f"solver.wish.at_window({scene.expressions[ref.name]}, {aside})": ref.name for ref in under}
-
-
-def _hung_over(demand: Demand, scene: Scene) -> list[AssetRef]:
-    """Return what stands on the floor and is asked to be below something that hangs on a wall."""
-    above = [relation for relation in demand.ways[0] if isinstance(relation, Above)]
-    return [one.b for one in above if scene.by_name[one.a.name].on_wall and scene.by_name[one.b.name].on_floor]
+    return lines | {f"solver.wish.at_window({scene.expressions[name]}, {aside})": name for name in under}
 
 
 def join_as_asked(cast: Mapping[str, Cast], demands: Sequence[Demand], passage: float = 0.0) -> dict[str, Cast]:
@@ -90,9 +82,8 @@ def join_as_asked(cast: Mapping[str, Cast], demands: Sequence[Demand], passage: 
     found = dict(cast)
     wanted = {name: join for demand in demands for name, join in _joins(demand, cast, passage)}
     chains = _chains(cast, demands, passage)
-    tops = {
-        anchor for anchor, join in chains.values() if join.slot == "around"
-    }  # what is around a table comes after it
+    # what is around a table comes after it
+    tops = {anchor for anchor, join in chains.values() if join.slot == "around"}
     wanted = {name: join for name, join in wanted.items() if name not in tops} | chains
     placed = {first for demand in demands for first in subjects(demand)}
     for name in placed - set(wanted):
@@ -133,14 +124,14 @@ def subjects(demand: Demand) -> set[str]:
         name
         for relation in demand.ways[0]
         if relation.name not in ("point_towards", "under", "above")
-        for name in (relation.asset_names() if isinstance(relation, InRows) else relation.asset_names()[:1])
+        for name in relation.asset_names()[: None if relation.name == "in_rows" else 1]
     }
 
 
 def cornered(demand: Demand) -> set[str]:
     """Return what is asked to be in one corner and no other."""
     only = demand.ways[0] if len(demand.ways) == 1 else ()
-    return {relation.a.name for relation in only if isinstance(relation, Corner)}
+    return {relation.asset_names()[0] for relation in only if relation.name == "corner"}
 
 
 def _joins(demand: Demand, cast: Mapping[str, Cast], passage: float) -> list[tuple[str, tuple[str, Join]]]:
@@ -172,19 +163,13 @@ def _bearer(item: Cast, cast: Mapping[str, Cast]) -> Cast:
 def _chains(cast: Mapping[str, Cast], demands: Sequence[Demand], passage: float) -> dict[str, tuple[str, Join]]:
     """Return the joins of two things that face each other, and of what is between two of which nothing else is asked together."""
     found: dict[str, tuple[str, Join]] = {}
-    between = [demand.exact.asset_names() for demand in demands if isinstance(demand.exact, BetweenTwo)]
+    between = [demand.exact.asset_names() for demand in demands if demand.exact is not None]
     between = [names for names in between if len(names) == 3 and cast.keys() >= {*names}]
-    pairs = [
-        (demand, *one.asset_names()) for demand in demands for one in demand.ways[0] if isinstance(one, FacingPair)
-    ]
+    pairs = [(demand, *one.asset_names()) for demand in demands for one in demand.ways[0] if one.name == "facing_pair"]
     for names in between:
-        placing = (one for demand in demands for one in demand.ways[0] if demand.names() != frozenset(names))
-        others = [
-            {*one.asset_names()}
-            for one in placing
-            if one.name not in ("align_with", "point_towards", "next_to", "near")
-        ]
-        if not any(them >= {*names[1:]} for them in others):
+        others = (one for demand in demands for one in demand.ways[0] if demand.names() != frozenset(names))
+        placing = (one for one in others if one.name not in ("align_with", "point_towards", "next_to", "near"))
+        if not any({*names[1:]} <= {*one.asset_names()} for one in placing):
             found |= _side_by_side([cast[name] for name in names], passage)
     for demand, a, b in pairs:
         held = any(a in subjects(other) for other in demands if other is not demand)
@@ -192,13 +177,10 @@ def _chains(cast: Mapping[str, Cast], demands: Sequence[Demand], passage: float)
             continue
         top = next((cast[middle] for middle, *ends in between if {*ends} == {a, b}), None)
         if top is not None and top.role.name.endswith("table") and top.asset.size[2] > GAPS.sat_at:
-            found |= dict.fromkeys((a, b), (top.name, _around(top)))
+            found |= dict.fromkeys((a, b), (top.name, AROUND))
             continue
         gap = max(GAPS.across, (top.asset.size[0] if top is not None else 0.0) + 2 * GAPS.before)
-        found[a] = (
-            b,
-            Join("front", (cast[b].role.name,), gap=gap, loose=held, faces="anchor", say=usual_say("front")),
-        )
+        found[a] = (b, Join("front", (), gap=gap, loose=held, faces="anchor", say=usual_say("front")))
     return found
 
 
@@ -210,58 +192,52 @@ def _side_by_side(three: Sequence[Cast], passage: float) -> list[tuple[str, tupl
     usual = any(join.slot == "beside" and first.role.name in join.of for join in middle.role.joins)
     if middle.role.name == "privacy screen" and first.role is last.role:
         gap = GAPS.before + middle.asset.size[0] / 2
-        beside = Join("beside", (first.role.name,), gap=2 * gap, loose=True, say=LEFT)
-        along = Join("beside", (first.role.name,), gap=GAPS.before, loose=True, say=PARTING)
+        beside = Join("beside", (), gap=2 * gap, loose=True, say=LEFT)
+        along = Join("beside", (), gap=GAPS.before, loose=True, say=PARTING)
         return [(last.name, (first.name, beside)), (middle.name, (first.name, along))]
     if not usual or first.role is not last.role:
         return []
-    chain, gap = ((middle, first), (last, middle)), max(GAPS.seated, (passage - middle.asset.size[1]) / 2)
-    return [(a.name, (b.name, Join("beside", (b.role.name,), gap=gap, loose=True, say=LEFT))) for a, b in chain]
+    row, gap = ((middle, first), (last, middle)), max(GAPS.seated, (passage - middle.asset.size[1]) / 2)
+    return [(a.name, (b.name, Join("beside", (), gap=gap, loose=True, say=LEFT))) for a, b in row]
 
 
 def _join(relation: Relation, a: Cast, b: Cast, passage: float, *, around: bool, turned: float) -> Join | None:
     """Return how a thing joins another, None where it is placed by itself."""
     if relation.name == "on_top_of":
-        known = next((join for join in a.role.joins if join.on_top), None)
-        return known or Join("on", ("*",), say=("on_top_of({a}, {b})",))
+        return next((join for join in a.role.joins if join.on_top), ON_ANY)
     if _only_on(a) or (a.asset.on_wall and not a.asset.on_floor):
         return None
     known = next((join for join in a.role.joins if b.role.name in join.of), None)
     if relation.name == "near" and (around or (a.role.name.endswith("seat") and b.role.name.endswith("table"))):
-        return known or _around(b)
+        return known or AROUND
     if relation.name == "near" and known is not None:
         return known
     if (said := _at_its_side(relation, b)) is not None:
-        return Join("beside", (b.role.name,), gap=GAPS.seated, loose=True, say=said)
+        return Join("beside", (), gap=GAPS.seated, loose=True, say=said)
     if isinstance(relation, InFrontOf) and relation.max_gap < GAPS.close:
         if known is not None and known.slot in ("front", "around"):
             return known
         gap = GAPS.watching if b.role.name == "tv" else GAPS.seated if a.role.name == "seat" else GAPS.before
-        return Join("front", (b.role.name,), gap=gap, loose=True, faces="anchor")
+        return Join("front", (), gap=gap, loose=True, faces="anchor")
     if relation.name != "behind":
         return None
     return known if known is not None and known.slot == "behind" else _at_its_back(a, b, passage, turned)
 
 
-def _around(b: Cast) -> Join:
-    """Return how seats stand around a thing."""
-    return Join("around", (b.role.name,), gap=GAPS.seated, all=("around({items}, {b}, gap={gap})",))
-
-
 def _at_its_back(a: Cast, b: Cast, passage: float, turned: float) -> Join:
     """Return how a thing joins another that it is asked to be behind: back to back, or with room for who stands between."""
     if turned == 180.0:
-        return Join("behind", (b.role.name,), gap=GAPS.backs, loose=True, faces="away", say=BACK_TO_BACK)
+        return Join("behind", (), gap=GAPS.backs, loose=True, faces="away", say=BACK_TO_BACK)
     # who takes something from a shelf or cabinet stands between
     gap = passage if {"wall", "grid"} & {*a.role.stands} else GAPS.before
-    return Join("behind", (b.role.name,), gap=gap, loose=True, say=BEHIND)
+    return Join("behind", (), gap=gap, loose=True, say=BEHIND)
 
 
 def _at_its_side(relation: Relation, b: Cast) -> tuple[str, ...] | None:
     """Return what is said of a thing that is asked to be close to another, or at a side of it; None where it is not."""
     if isinstance(relation, NextTo) and relation.side in ("left", "right", "beside"):
         return ()
-    if isinstance(relation, LeftOf | RightOf):
+    if relation.name in ("left_of", "right_of"):
         return usual_say("beside")[1:]
     close = isinstance(relation, Near) and relation.max_gap <= GAPS.touch and not b.asset.is_flat
     return usual_say("beside") if close else None

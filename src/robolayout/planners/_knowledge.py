@@ -79,8 +79,8 @@ class Join:
         return self.slot in ("on", "setting")
 
 
-ALONE = Join("", ())
-"""How what joins nothing stands."""
+ALONE, ON_ANY = Join("", ()), Join("on", ("*",), say=("on_top_of({a}, {b})",))
+"""How what joins nothing stands, and what can stand nowhere but on some thing."""
 
 
 @dataclass(frozen=True)

@@ -7,7 +7,7 @@ from collections.abc import Callable, Mapping, Sequence, Set
 from dataclasses import dataclass, replace
 
 from robolayout.assets import Category, category_of
-from robolayout.planners._knowledge import ALONE, Join, Knowledge, Role
+from robolayout.planners._knowledge import ALONE, ON_ANY, Join, Knowledge, Role
 from robolayout.scene import Agent, Asset, Scene
 from robolayout.scene.agent import horizontal_reach
 
@@ -195,7 +195,7 @@ def _any_top(item: Cast, cast: Mapping[str, Cast], covered: Mapping[str, float])
         for name, other in cast.items()
         if name != item.name and other.asset.on_floor and not other.asset.is_flat and item.name not in chain(name, cast)
     ]
-    return (min(best)[-1], Join("on", ("*",), say=("on_top_of({a}, {b})",))) if best else None
+    return (min(best)[-1], ON_ANY) if best else None
 
 
 def _room_for(asset: Asset, other: Asset, join: Join, covered: float) -> bool:

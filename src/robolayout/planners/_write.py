@@ -41,15 +41,7 @@ WISHES = {
     "centre": "mid_wall({a})", "corner": "corner({a})", "window": "at_window({a})", "tuck": "snug({a})",
     "middle": "centered_on({a}, room)",
 }  # fmt: skip
-"""What the preferences of roles are as wishes; those of `_Thing.wishes` aside."""
-
-
-@dataclass(frozen=True)
-class Line:
-    """One line of the program and the assets that it is about, its subject first."""
-
-    text: str
-    names: tuple[str, ...]
+"""What the preferences of roles are as wishes, beside those of `Writer._wishes`."""
 
 
 @dataclass(frozen=True)
@@ -73,7 +65,7 @@ class Writer:
         turn = (top.role.rank, -top.asset.size[0] * top.asset.size[1], top.name)
         return (top.name not in self.cornered, late, *turn, name != top.name, self.cast[name].role.rank)
 
-    def lines(self, name: str) -> Iterator[Line]:
+    def lines(self, name: str) -> Iterator[str]:
         """Yield what is said of one asset; sets of assets speak with their last one."""
         item = self.cast[name]
         if item.anchor:
@@ -86,30 +78,30 @@ class Writer:
 
     # at something else
 
-    def _joined(self, item: Cast) -> Iterator[Line]:
+    def _joined(self, item: Cast) -> Iterator[str]:
         join, weight = item.join, SAYING.joined if item.join.loose else None
         values = self._values(item) | self._about(item)
-        yield from self._fill(join.say, values, weight, item.name)
+        yield from self._fill(join.say, values, weight)
         yield from self._on_top(item)
         peers = self._peers(item)
         if peers[-1] == item.name:
-            yield from self._fill(join.all, values | {"items": self._list(peers)}, weight, *peers)
+            yield from self._fill(join.all, values | {"items": self._list(peers)}, weight)
             for first, second in zip(peers[::2], peers[1::2], strict=False):
                 if self.scene.by_name[first].size == self.scene.by_name[second].size:
                     pair = values | {"a": self._name(first), "a2": self._name(second)}
-                    yield from self._fill(join.pair, pair, weight, first, second)
+                    yield from self._fill(join.pair, pair, weight)
 
     def _peers(self, item: Cast) -> list[str]:
         """Return what joins the same thing in the same role, in order."""
         return [n for n, one in self.cast.items() if one.anchor == item.anchor and one.role is item.role]
 
-    def _on_top(self, item: Cast) -> Iterator[Line]:
+    def _on_top(self, item: Cast) -> Iterator[str]:
         """Yield where on a top a thing belongs: toward an edge, or beside the plate of its guest."""
         join, a, b = item.join, self._name(item.name), self._name(item.anchor)
         halves = {"hand": ("front", "left"), "side": ("left",), "front": ("front",), "back": ("back",)}
         if join.slot == "on":
             for side in halves.get(join.at, ()):
-                yield _wish(f'toward({a}, {b}, "{side}")', None, item.name, item.anchor)
+                yield _wish(f'toward({a}, {b}, "{side}")')
         plates = [n for n, one in self.cast.items() if one.anchor == item.anchor and one.join.at == "plate"]
         number = self._peers(item).index(item.name)
         said = {
@@ -121,8 +113,7 @@ class Writer:
             "beyond": "in_front_of({a}, {p}, 0, 0.3)",
         }
         if join.slot == "setting" and join.at in said and number < len(plates):
-            text = said[join.at].format(a=a, p=self._name(plates[number]))
-            yield _wish(text, None, item.name, plates[number])
+            yield _wish(said[join.at].format(a=a, p=self._name(plates[number])))
 
     def _about(self, item: Cast) -> dict[str, str]:
         """Return what a template may say about an asset and the one that it joins."""
@@ -132,7 +123,6 @@ class Writer:
         tucked = item.category.movable and join.slot in ("front", "behind")
         values = {
             "b": self._name(anchor.name),
-            "b name": anchor.name,
             "side": '"beside"',
             "gap": f"{join.gap:g}",
             "least": f"{-SAYING.under if tucked else max(0.0, join.gap - SAYING.within):g}",
@@ -144,7 +134,7 @@ class Writer:
             values["angle"] = f"{0.0 if join.faces == 'same' else (turned + away) % 360.0:g}"
         seats = [n for n, one in self.cast.items() if one.anchor == anchor.name and one.role.name.endswith("seat")]
         if number < len(seats):
-            values |= {"seat": self._name(seats[number]), "seat name": seats[number]}
+            values["seat"] = self._name(seats[number])
         return values
 
     def _taken(self, item: Cast, number: int) -> float:
@@ -161,7 +151,7 @@ class Writer:
 
     # by itself
 
-    def _standing(self, item: Cast) -> Iterator[Line]:
+    def _standing(self, item: Cast) -> Iterator[str]:
         """Yield how a thing stands by itself: demanded where its role leaves no other way, else wished."""
         modes, name = _modes(item), item.name
         values, say = self._values(item), item.role.say
@@ -169,19 +159,19 @@ class Writer:
         if modes[0] in ("hang", "ceiling", "rug"):
             yield from self._off_the_floor(item, modes[0])
         elif modes == ["corner"]:
-            yield from self._fill(say["corner"], values, bound, name)
+            yield from self._fill(say["corner"], values, bound)
         elif set(modes) <= {"wall", "corner"}:
             held = name in self._held and bound is None
-            yield from self._fill(say["wall"], values, None if held else SAYING.only, name)
+            yield from self._fill(say["wall"], values, None if held else SAYING.only)
         else:
-            yield from self._fill(say["middle"], values, bound, name)
+            yield from self._fill(say["middle"], values, bound)
             open_floor = {"middle", "facing"} & set(modes) and "grid" not in modes
             weight = (SAYING.first if open_floor else SAYING.only) + item.role.prefer.get("first", 0.0)
             equal = self._in_the_middle(item) if "grid" in modes else []
             if "wall" in modes:
                 few = len(self._equal(item)) < item.role.prefer.get("block", math.inf)
                 first = modes[0] == "wall" and (name not in equal or (few and len(equal) == len(self._equal(item))))
-                yield from self._fill(say["wall"], values, weight if first else -weight, name)
+                yield from self._fill(say["wall"], values, weight if first else -weight)
             yield from self._in_rows(item, equal)
 
     @cached_property
@@ -215,39 +205,38 @@ class Writer:
         large = self.scene.room.area >= SAYING.large and min(count, len(equal) - count) > 3
         return equal[-count:] if large and _modes(item)[0] == "wall" else equal
 
-    def _in_rows(self, item: Cast, equal: Sequence[str]) -> Iterator[Line]:
+    def _in_rows(self, item: Cast, equal: Sequence[str]) -> Iterator[str]:
         """Yield that equal things stand in rows, with the last of them."""
         if len(equal) > 1 and equal[-1] == item.name:
             prefer, open_way = item.role.prefer, passage(self.scene)
             aisle, gap = prefer.get("aisle", open_way), prefer.get("gap", open_way)
             backs = ', backs="paired"' if prefer.get("paired", 0) > 0 else ""
-            yield _wish(f"in_rows({self._list(equal)}, {aisle:g}, {gap:g}{backs})", SAYING.first, *equal)
+            yield _wish(f"in_rows({self._list(equal)}, {aisle:g}, {gap:g}{backs})", SAYING.first)
 
-    def _off_the_floor(self, item: Cast, mode: str) -> Iterator[Line]:
+    def _off_the_floor(self, item: Cast, mode: str) -> Iterator[str]:
         """Yield where a thing hangs or lies."""
         a, values = self._name(item.name), self._values(item)
         over = self._playing(*item.role.above)
         owner = None if item.name in self.asked else self._owner(item)
         if owner is not None:
-            values |= {"b": self._name(owner), "b name": owner}
+            values["b"] = self._name(owner)
         if mode == "hang":
-            yield from self._fill(item.role.say["hang"], values, None, item.name)
+            yield from self._fill(item.role.say["hang"], values)
             if item.role.height:
-                yield _wish(f"mounted_on({a}, None, {item.role.height:g})", None, item.name)
+                yield _wish(f"mounted_on({a}, None, {item.role.height:g})")
             if over:
-                ways = [f"above({a}, {self._name(n)})" for n in over]
-                yield _wish(_either(ways), None, item.name, *over)
+                yield _wish(_either([f"above({a}, {self._name(n)})" for n in over]))
             return
         if mode == "ceiling" and owner is not None and self._shared(item, owner):
-            yield Line(f"solver.above({a}, {self._name(owner)})", (item.name, owner))
+            yield f"solver.above({a}, {self._name(owner)})"
             return
         if mode == "rug" and owner is not None:
             side = {"bed": "front", "narrow bed": "left", "child bed": "left"}.get(self.cast[owner].role.name)
             if side:
-                yield _wish(f'toward({a}, {self._name(owner)}, "{side}")', None, item.name, owner)
-        yield from self._fill(item.role.say[mode], values, None, item.name)
+                yield _wish(f'toward({a}, {self._name(owner)}, "{side}")')
+        yield from self._fill(item.role.say[mode], values)
         if mode == "ceiling" and owner is None:
-            yield _wish(f"centered_on({a}, room)", None, item.name)
+            yield _wish(f"centered_on({a}, room)")
 
     def _shared(self, item: Cast, owner: str) -> bool:
         """Whether something else hangs over the same thing."""
@@ -270,7 +259,7 @@ class Writer:
 
     # what it would like
 
-    def _wishes(self, item: Cast) -> Iterator[Line]:
+    def _wishes(self, item: Cast) -> Iterator[str]:
         """Yield what a role prefers about the place of a thing."""
         a = self._name(item.name)
         prefer = dict(item.role.prefer)
@@ -290,16 +279,16 @@ class Writer:
                 wall = max(self.scene.room.walls, key=lambda w: (round(w.length, 3), -w.index))
                 text = f"{hangs}({a}, walls[{wall.index}])"
             if text:
-                yield _wish(text, weight, item.name)
+                yield _wish(text, weight)
 
-    def _grouped(self, item: Cast, key: str, weight: float) -> Iterator[Line]:
+    def _grouped(self, item: Cast, key: str, weight: float) -> Iterator[str]:
         word, role = key.split(" ", 1)
         others = [n for n in self._playing(role) if n != item.name]
         if others:
             call = f"grouped({self._name(item.name)}, {self._list(others)})"
-            yield _wish(call, weight if word == "near" else -weight, item.name, *others)
+            yield _wish(call, weight if word == "near" else -weight)
 
-    def _cleared(self, item: Cast) -> Iterator[Line]:
+    def _cleared(self, item: Cast) -> Iterator[str]:
         """Yield the sides that a thing wants clear, where its kind does not say it."""
         if item.role.prefer.get("any_side", 0) > 0 or not item.asset.on_floor:
             return
@@ -307,21 +296,21 @@ class Writer:
         for side, depth in item.role.clear.items():
             for one in (("left", "right") if not in_a_block else ()) if side == "side" else (side,):
                 wide = depth if depth > 0 else passage(self.scene)
-                yield _wish(f'keep_clear({self._name(item.name)}, "{one}", {wide:g})', None, item.name)
+                yield _wish(f'keep_clear({self._name(item.name)}, "{one}", {wide:g})')
 
-    def _faced(self, item: Cast) -> Iterator[Line]:
+    def _faced(self, item: Cast) -> Iterator[str]:
         """Yield what a thing looks at."""
         face, a, names = item.role.face, self._name(item.name), self._faces(item)
         if not names:
             return
         angle = "" if face.how == "toward" else ", 180"
         looks = [f"point_towards({a}, {self._name(n)}{angle})" for n in names]
-        yield _wish(_either(looks), face.weight, item.name, *names)
+        yield _wish(_either(looks), face.weight)
         if face.say and item.name not in self.asked and len(names) == 1 == len(self._looking(names[0])):
-            yield from self._fill(face.say, self._values(item), None, item.name)
+            yield from self._fill(face.say, self._values(item))
         elif face.distance != (0.0, 20.0):
             low, high = self._edges(item, names[0])
-            yield _wish(f"in_front_of({a}, {self._name(names[0])}, {low:g}, {high:g})", None, item.name, names[0])
+            yield _wish(f"in_front_of({a}, {self._name(names[0])}, {low:g}, {high:g})")
 
     def _looking(self, target: str) -> list[str]:
         """Return what has to be before a thing."""
@@ -365,31 +354,24 @@ class Writer:
             low, high = self._edges(item, names[0])
             near, far = item.role.face.distance
             ends = {"near": near, "far": far, "ahead low": low, "ahead high": high}
-            values |= {"b": self._name(names[0]), "b name": names[0]} | {k: f"{v:g}" for k, v in ends.items()}
+            values |= {"b": self._name(names[0])} | {k: f"{v:g}" for k, v in ends.items()}
         return values
 
-    def _fill(
-        self, templates: Iterable[str], values: Mapping[str, str], weight: float | None, *names: str
-    ) -> Iterator[Line]:
+    def _fill(self, templates: Iterable[str], values: Mapping[str, str], weight: float | None = None) -> Iterator[str]:
         """Yield the filled templates; one that needs a missing value is left out, "else" follows a left-out one."""
         skipped = False
         for template in templates:
-            otherwise = template.startswith("else ")
-            if otherwise and not skipped:
-                continue
             text = template.removeprefix("else ")
-            needed = [key for key in re.findall(r"\{(.*?)\}", text) if not values.get(key)]
-            skipped = bool(needed)
-            if not needed:
-                about = [values[f"{key} name"] for key in ("b", "seat") if f"{{{key}}}" in text]
-                filled, named = text.format_map(values), tuple(dict.fromkeys((*names, *about)))
-                yield Line(f"solver.{filled}", named) if weight is None else _wish(filled, weight, *named)
+            if text == template or skipped:
+                skipped = not all(values.get(key) for key in re.findall(r"\{(.*?)\}", text))
+                if not skipped:
+                    filled = text.format_map(values)
+                    yield f"solver.{filled}" if weight is None else _wish(filled, weight)
 
 
-def _wish(call: str, weight: float | None, *names: str) -> Line:
+def _wish(call: str, weight: float = 1.0) -> str:
     """Return a call as a wish, with its weight if it is not 1."""
-    told = "" if weight in (None, 1.0) else f", weight={weight:g}"
-    return Line(f"solver.wish.{call[:-1]}{told})", tuple(dict.fromkeys(names)))
+    return f"solver.wish.{call[:-1]}{'' if weight == 1.0 else f', weight={weight:g}'})"
 
 
 def _either(calls: Sequence[str]) -> str:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from pathlib import Path
@@ -58,6 +59,7 @@ class OfflinePlanner:
         about = set(request.group.items) if request.group else set(cast)
         placed, alone = (frozenset[str]().union(*map(of, request.asked)) for of in (subjects, cornered))
         writer = Writer(scene, cast, placed, alone)
+        names = {written: name for name, written in scene.expressions.items()}
         text = ["# Walls: " + "; ".join(_wall(wall, scene.room) for wall in scene.room.walls)]
         asked = asked_lines(scene, request.asked, about | known)
         label, told, topics = "", set[str](), set(map(_topic, asked))
@@ -69,12 +71,11 @@ class OfflinePlanner:
                 text += ["", f"# {_one_line(label)}{why}"]
                 told.add(label)
             text += [f"{line}  # asked by the user" for line, subject in asked.items() if subject == name]
-            lines = (
-                line for line in writer.lines(name) if about.intersection(line.names) and {*line.names} <= about | known
-            )
-            for line in (line.text for line in lines if line.text not in asked):
-                # what the user asks for in other figures is only wished for
-                text.append(line.replace("solver.", "solver.wish.", 1) if _topic(line) in topics else line)
+            for line in writer.lines(name):
+                there = {names[written] for written in re.findall(r"\w+\[\d+\]", line) if written in names}
+                if line not in asked and about & there and there <= about | known:
+                    # what the user asks for in other figures is only wished for
+                    text.append(line.replace("solver.", "solver.wish.", 1) if _topic(line) in topics else line)
         return "\n".join(text) + "\n"
 
 
