@@ -252,10 +252,10 @@ def test_a_name_that_must_cross_a_line_has_a_light_edge():
 
 
 def test_the_width_of_a_passage_is_written_beside_its_line_and_off_the_routes():
-    marks = PlanMarks(passages=(((0.0, 1.0), (2.0, 1.0), 2.0),))
+    passages = [((0.0, 20.0), (40.0, 20.0), 2.0)]
     routes = [((0.0, 1.1), (2.0, 1.1)), ((0.0, 0.9), (2.0, 0.9))]
     for route, lower in zip(routes, (True, False), strict=True):
         line = [(20 * x, 20 * y) for x, y in route]
-        ((x, y),) = passage_spots(marks, lambda x, y: (20 * x, 20 * y), [line], [])
+        ((x, y),) = passage_spots(passages, [line], [])
         assert abs(y - 20) > 1.0 and (y < 20) is lower
         assert not shapely.box(x - 3, y - 0.9, x + 3, y + 0.9).intersects(shapely.LineString(line))

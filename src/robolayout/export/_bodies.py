@@ -22,7 +22,6 @@ from robolayout.export._exporter import (
     covers,
     free_name,
     is_movable,
-    is_trim,
     kind_name,
     mass,
     placed,
@@ -170,8 +169,10 @@ def things(scene: Scene, layout: Layout, options: Options, *, free: Free | None 
     shown = [
         part for part in room_parts(scene.room, seed=options.seed) if np.ptp(part.vertices[:, 2]) > BODIES.thinnest
     ]
-    shapes = [
-        _shape(number, _stood(part, options.leaves), touched=not is_trim(part) and part.name != "floor")
+    shapes = [  # skirting boards are seen but never touched: furniture is cut around them
+        _shape(
+            number, _stood(part, options.leaves), touched=part.name != "floor" and not part.name.startswith("skirting")
+        )
         for number, part in enumerate(shown)
     ]
     leaves = (replace(s, mass=BODIES.leaf_mass * volume(s.part)) if s.part.joint is not None else s for s in shapes)

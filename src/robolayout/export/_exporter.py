@@ -141,11 +141,6 @@ def kind_name(name: str, pieces: Sequence[Part], *facts: object) -> str:
     return f"{stem[:60]}-{whole.hexdigest()[:12]}"
 
 
-def is_trim(part: Part) -> bool:
-    """Return whether a part of the room is seen but never touched: skirting boards, which furniture is cut around."""
-    return part.name.startswith("skirting")
-
-
 def supporter(asset: Asset, scene: Scene, layout: Layout, *, tolerance: float = TOLERANCE.support) -> str | None:
     """Return the name of the asset that another one rests on, or None.
 

@@ -42,7 +42,7 @@ def _feet(rug: Asset, scene: Scene, layout: Layout) -> Iterator[BaseGeometry]:
                 yield shapely.MultiPoint(_seen(points, pose, place)).convex_hull.buffer(CLEAR, join_style="mitre")
 
 
-def _low(asset: Asset, top: float) -> Iterator[np.ndarray[tuple[int, ...], np.dtype[np.float64]]]:
+def _low(asset: Asset, top: float) -> Iterator[FloatArray]:
     """Yield the points in plan of each part of a thing below a height in its frame."""
     bottom = -asset.size[2] / 2
     if asset.path is not None:
@@ -54,9 +54,7 @@ def _low(asset: Asset, top: float) -> Iterator[np.ndarray[tuple[int, ...], np.dt
             yield np.concatenate(met)[:, :2]
 
 
-def _seen(
-    points: np.ndarray[tuple[int, ...], np.dtype[np.float64]], pose: Pose, place: Pose
-) -> np.ndarray[tuple[int, ...], np.dtype[np.float64]]:
+def _seen(points: FloatArray, pose: Pose, place: Pose) -> FloatArray:
     """Return points (n, 2) of one thing's frame in that of another."""
     (c, s), (a, b) = pose.forward, place.forward
     world = points @ np.array([[c, s], [-s, c]]) + (pose.x - place.x, pose.y - place.y)

@@ -40,16 +40,11 @@ def lamp(pieces: tuple[Part, ...]) -> tuple[float, float, float] | None:
     return (x, y, z)
 
 
-@dataclass(frozen=True)
-class Viewpoint:
-    """A camera."""
+def overview(room: Room) -> tuple[tuple[float, float, float], FloatArray]:
+    """Return a camera outside and above, in front of the longest wall without a door, that sees the whole room.
 
-    position: tuple[float, float, float]  # metres in the room's frame
-    rotation: FloatArray  # (3, 3) whose columns are its right, up and backward axes
-
-
-def overview(room: Room) -> Viewpoint:
-    """Return a camera outside and above, in front of the longest wall without a door, that sees the whole room."""
+    It is a place in metres, and a (3, 3) rotation whose columns are its right, up and backward axes.
+    """
     x0, y0, x1, y1 = room.bounds
     doors = {door.wall for door in room.doors}
     wall = max(room.walls, key=lambda w: (w.index not in doors, round(w.length, 3), -w.index))
@@ -60,4 +55,4 @@ def overview(room: Room) -> Viewpoint:
     right = np.cross((0.0, 0.0, 1.0), back)
     right /= np.linalg.norm(right)
     x, y, z = (middle + back * reach / math.sin(SCENERY.field / 2)).tolist()
-    return Viewpoint((x, y, z), np.column_stack([right, np.cross(back, right), back]))
+    return (x, y, z), np.column_stack([right, np.cross(back, right), back])

@@ -345,12 +345,12 @@ def _put(prim: Any, turn: FloatArray, at: ArrayLike) -> None:
 
 def _camera(stage: Any, room: Room) -> None:
     """Add a camera that sees the whole room."""
-    view = overview(room)
+    position, axes = overview(room)
     camera = UsdGeom.Camera.Define(stage, f"{WORLD}/Camera")
     height = camera.GetVerticalApertureAttr().Get()
     camera.GetHorizontalApertureAttr().Set(height * SCENERY.aspect)
     camera.GetFocalLengthAttr().Set(height / 2 / math.tan(SCENERY.field / 2))
-    _put(camera, view.rotation.T, view.position)
+    _put(camera, axes.T, position)
 
 
 def _custom(prim: Any, name: str, kind: Any, value: object) -> None:

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import xml.etree.ElementTree as ET
 from collections.abc import Mapping
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -38,14 +37,8 @@ BOUNDS = {"boundmass": "1e-4", "boundinertia": "1e-7", "balanceinertia": "true"}
 COMPILER = {"fusestatic": "false", "discardvisual": "true", "strippath": "false", **BOUNDS}
 
 
-@dataclass(frozen=True)
-class Whole:
-    """What a robot adds to a model."""
-
-    sections: tuple[ET.Element, ...]  # sections of a model, whose elements are to be added
-    body: ET.Element  # the body that stands on the base
-    home: tuple[float, ...]  # values of its joints, in order
-    files: Mapping[str, bytes]  # by path
+Whole = tuple[list[ET.Element], ET.Element, list[float], Mapping[str, bytes]]
+"""Sections whose elements are to be added to a model, the body that stands on the base, values of its joints, files by path."""
 
 
 def whole(agent: Agent, figure: Figure, own: str) -> Whole:
@@ -68,8 +61,8 @@ def whole(agent: Agent, figure: Figure, own: str) -> Whole:
     for foot in _feet(compiled, data, agent.step):
         ET.SubElement(section(root, "contact"), "exclude", body1="world", body2=foot)
     _hold(mujoco, compiled, data, section(root, "actuator"))
-    added = tuple(part for part in root if part.tag not in ITS_OWN)
-    return Whole(added, next(root.iter("body")), tuple(data.qpos.tolist()), files)
+    added = [part for part in root if part.tag not in ITS_OWN]
+    return added, next(root.iter("body")), data.qpos.tolist(), files
 
 
 def _feet(compiled: Any, data: Any, step: float) -> list[str]:

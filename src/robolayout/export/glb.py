@@ -63,13 +63,11 @@ class _Builder:
 
     def object(self, name: str, pieces: tuple[Part, ...], **content: object) -> int:
         """Add a node with one child mesh per material, and a light if it is a lamp; return its index."""
-        children = [
-            self.add(
-                "nodes", {"name": f"{name}.{look.name}", "mesh": self._mesh(f"{name}.{look.name}", look, closed, shape)}
-            )
-            for look, closed, shape in merged(pieces)
-            if len(shape.indices)
-        ]
+        children: list[int] = []
+        for look, closed, shape in merged(pieces):
+            if len(shape.indices):
+                own = f"{name}.{look.name}"
+                children.append(self.add("nodes", {"name": own, "mesh": self._mesh(own, look, closed, shape)}))
         if (bulb := lamp(pieces)) is not None:
             light: Json = {"name": f"{name}.light", "translation": list(bulb)}
             children.append(self.add("nodes", {**light, "extensions": {LIGHTS: {"light": 0}}}))
@@ -79,9 +77,9 @@ class _Builder:
         """Add a camera that sees the whole room; return its node's index."""
         lens: Json = {"yfov": SCENERY.field, "aspectRatio": SCENERY.aspect, "znear": 0.05}
         number = self.add("cameras", {"type": "perspective", "perspective": lens})
-        view = overview(room)
-        w, x, y, z = quaternion(view.rotation)
-        place: Json = {"translation": list(view.position), "rotation": [x, y, z, w]}
+        position, axes = overview(room)
+        w, x, y, z = quaternion(axes)
+        place: Json = {"translation": list(position), "rotation": [x, y, z, w]}
         return self.add("nodes", {"name": "camera", "camera": number, **place})
 
     def _mesh(self, name: str, material: Material, closed: bool, shape: Surface) -> int:

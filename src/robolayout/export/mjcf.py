@@ -217,14 +217,14 @@ def _robot(model: _Model, body: ET.Element, agent: Agent, figure: Figure) -> Non
     """Add a robot's model to its base."""
     from robolayout.export._whole import whole
 
-    found = whole(agent, figure, body.get("name", ""))
-    body.append(found.body)
-    for part in found.sections:
+    sections, robot, home, files = whole(agent, figure, body.get("name", ""))
+    body.append(robot)
+    for part in sections:
         section(model.root, part.tag).extend(part)
     for compiler in model.root.iter("compiler"):
         compiler.set("balanceinertia", "true")  # real files have inertias that no thing can have
-    model.home += found.home
-    model.meshes |= {path: (path, content) for path, content in found.files.items()}
+    model.home += home
+    model.meshes |= {path: (path, content) for path, content in files.items()}
 
 
 def _shape(body: ET.Element, own: str, agent: Agent) -> None:

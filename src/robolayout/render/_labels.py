@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import product
 
@@ -72,7 +72,7 @@ class Label:
 
 
 def place_labels(
-    tags: Sequence[Tag],
+    tags: Iterable[Tag],
     obstacles: Sequence[Sequence[Point]],
     sheet: Box,
     sizes: Sequence[float] = LABELS.sizes,
@@ -85,11 +85,10 @@ def place_labels(
     in millimetres.
     """
     strokes = np.array([shapely.LineString(line) for line in lines if len(line) > 1], dtype=object)
-    order = sorted(range(len(tags)), key=lambda k: -shapely.Polygon(tags[k].outline).area)
     solids = np.array([shapely.Polygon(o) for o in obstacles], dtype=object)
     placed: list[Label] = []
     taken: list[Box] = []
-    for tag in (tags[k] for k in order):
+    for tag in sorted(tags, key=lambda tag: -shapely.Polygon(tag.outline).area):
         soft = _soft(tag, strokes)
         label = None
         for text in (tag.text, tag.short) if tag.short else (tag.text,):

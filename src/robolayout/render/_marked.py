@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from itertools import product
 
 import numpy as np
@@ -18,6 +18,9 @@ from robolayout.render.contents import Shown, cord, display_name, front, has_arr
 from robolayout.render.marks import PlanMarks
 from robolayout.render.palette import INK, NARROW, PAPER, QUIET, REACH, ROUTE, TIGHT, TURN
 from robolayout.scene import Pose, Scene, Wall, vertical_span
+
+Passage = tuple[Point, Point, float]
+"""The two ends of a passage on the paper, millimetres, and its width in metres."""
 
 
 @dataclass(frozen=True)
@@ -81,49 +84,40 @@ def _draw_changes(sheet: Drawing, marks: PlanMarks, place: Place) -> None:
         sheet.polygon([circle((ax, ay), 0.5)], PAPER, stroke=ROUTE, width=0.25)
 
 
-def _draw_passages(sheet: Drawing, shown: Shown, at: Sequence[Point]) -> None:
-    """Draw each narrowest passage as a measured line, with its width at the places `at`."""
-    marks, place = shown.marks, shown.place
-    needed = 2 * shown.agent.radius if shown.agent is not None else 0.0
-    for (a, b, metres), spot in zip(sorted(marks.passages), at, strict=True):
-        color = TIGHT if metres < needed - 1e-6 else NARROW
-        (ax, ay), (bx, by) = place(*a), place(*b)
-        length = max(((bx - ax) ** 2 + (by - ay) ** 2) ** 0.5, 1e-6)
-        tick = ((by - ay) / length * 0.9, -(bx - ax) / length * 0.9)
-        for color_, width in ((PAPER, 1.1), (color, 0.5)):
-            sheet.line([(ax, ay), (bx, by)], color_, width=width)
-            for x, y in ((ax, ay), (bx, by)):
-                sheet.line([(x - tick[0], y - tick[1]), (x + tick[0], y + tick[1])], color_, width=width)
-        sheet.words(spot, f"{metres:.2f} m", PLAN.width_text, color=color, halo=PAPER)
+def _draw_passage(sheet: Drawing, passage: Passage, spot: Point, color: str) -> None:
+    """Draw a narrowest passage as a measured line, with its width at a place."""
+    (ax, ay), (bx, by), metres = passage
+    length = max(((bx - ax) ** 2 + (by - ay) ** 2) ** 0.5, 1e-6)
+    tick = ((by - ay) / length * 0.9, -(bx - ax) / length * 0.9)
+    for stroke, width in ((PAPER, 1.1), (color, 0.5)):
+        sheet.line(passage[:2], stroke, width=width)
+        for x, y in passage[:2]:
+            sheet.line([(x - tick[0], y - tick[1]), (x + tick[0], y + tick[1])], stroke, width=width)
+    sheet.words(spot, f"{metres:.2f} m", PLAN.width_text, color=color, halo=PAPER)
 
 
 def passage_spots(
-    marks: PlanMarks, place: Place, lines: Sequence[Sequence[Point]], solids: Sequence[Sequence[Point]]
+    passages: Sequence[Passage], lines: Sequence[Sequence[Point]], solids: Sequence[Sequence[Point]]
 ) -> list[Point]:
     """Return where the width of each passage is written: beside its line, where it covers least."""
-    passages = sorted(marks.passages)
-    strokes = [shapely.LineString(line) for line in lines]
-    strokes += [shapely.LineString([place(*a), place(*b)]) for a, b, _ in passages]
-    paths = np.array(strokes, dtype=object)
+    paths = np.array([shapely.LineString(line) for line in (*lines, *(p[:2] for p in passages))], dtype=object)
     blocks = [shapely.Polygon(outline) for outline in solids]
     spots: list[Point] = []
-    for number, (a, b, metres) in enumerate(passages):
-        (ax, ay), (bx, by) = place(*a), place(*b)
+    for number, ((ax, ay), (bx, by), metres) in enumerate(passages):
         length = max(math.dist((ax, ay), (bx, by)), 1e-6)
         nx, ny = (by - ay) / length, (ax - bx) / length
-        half = (text_width(f"{metres:.2f} m", PLAN.width_text) / 2, 0.45 * PLAN.width_text)
-        away = 0.7 + abs(nx) * half[0] + abs(ny) * half[1]
-        others = np.delete(paths, len(lines) + number)
-        solid = np.array(blocks, dtype=object)
-        found: list[tuple[float, int, Point]] = []
+        wide, high = text_width(f"{metres:.2f} m", PLAN.width_text) / 2, 0.45 * PLAN.width_text
+        away = 0.7 + abs(nx) * wide + abs(ny) * high
+        others, solid = np.delete(paths, len(lines) + number), np.array(blocks, dtype=object)
+        found: list[tuple[float, Point, shapely.Polygon]] = []
         for t, side in product((0.5, 0.35, 0.65, 0.2, 0.8), (1, -1)):
             x, y = ax + t * (bx - ax) + side * away * nx, ay + t * (by - ay) + side * away * ny
-            box = shapely.box(x - half[0], y - half[1], x + half[0], y + half[1])
+            box = shapely.box(x - wide, y - high, x + wide, y + high)
             crossed = shapely.length(shapely.intersection(others, box)).sum()
-            found.append((float(crossed + 4.0 * shapely.intersects(solid, box).sum()), len(found), (x, y)))
-        x, y = min(found)[2]
-        spots.append((x, y))
-        blocks.append(shapely.box(x - half[0], y - half[1], x + half[0], y + half[1]))
+            found.append((float(crossed + 4.0 * shapely.intersects(solid, box).sum()), (x, y), box))
+        _, spot, box = min(found, key=lambda row: row[0])
+        spots.append(spot)
+        blocks.append(box)
     return spots
 
 
@@ -134,59 +128,59 @@ def draw_labels(sheet: Drawing, shown: Shown, naming: Naming) -> frozenset[str]:
     solid = [n for n in layout if not scene.by_name[n].is_flat and not scene.by_name[n].on_ceiling]
     obstacles = [outlines[n] for n in solid] + list(naming.obstacles)
     for wall in scene.room.walls:
-        corners = [(0.0, 0.0), (wall.length, 0.0), (wall.length, -PLAN.wall), (0.0, -PLAN.wall)]
+        corners = rectangle(0.0, 0.0, wall.length, -PLAN.wall)
         obstacles.append(tuple(place(*wall.point(s, d)) for s, d in corners))
     k = millimetres(place)
     lines = [[place(*p) for p in line] for line in marks.routes.values() if len(line) > 1]
     lines += [circle(place(*center), diameter / 2 * k, 72) for center, diameter in marks.circles]
     lines += [[place(*p) for p in line] for line in (*naming.lines, *marks.arrows)]
-    spots = passage_spots(marks, place, lines, obstacles)
-    _draw_passages(sheet, shown, spots)
-    for (a, b, metres), (x, y) in zip(sorted(marks.passages), spots, strict=True):
-        half = text_width(f"{metres:.2f} m", PLAN.width_text) / 2 + 0.5
+    passages = [(place(*a), place(*b), metres) for a, b, metres in sorted(marks.passages)]
+    needed = 2 * shown.agent.radius if shown.agent is not None else 0.0
+    for passage, (x, y) in zip(passages, passage_spots(passages, lines, obstacles), strict=True):
+        _draw_passage(sheet, passage, (x, y), TIGHT if passage[2] < needed - 1e-6 else NARROW)
+        half = text_width(f"{passage[2]:.2f} m", PLAN.width_text) / 2 + 0.5
         obstacles.append(rectangle(x - half, y - 1.4, x + half, y + 1.4))
-        lines.append([place(*a), place(*b)])
+        lines.append([*passage[:2]])
     lines += [[place(*p) for p in arc[1:]] for arc in marks.arcs]
-    tags = _tags(shown, outlines)
-    if naming.texts is not None:
-        texts = naming.texts
-        named = zip((asset.name for asset in scene.assets if asset.name in layout), tags, strict=True)
-        tags = [replace(tag, text=texts[n][0], short=texts[n][1]) for n, tag in named if n in texts]
+    tags = _tags(shown, outlines, solid, naming.texts)
     labels = place_labels(tags, obstacles, naming.box, naming.sizes, lines)
     for label in labels:
         _draw_label(sheet, label)
     return frozenset(" ".join(label.lines) for label in labels)
 
 
-def _tags(shown: Shown, outlines: Mapping[str, tuple[Point, ...]]) -> list[Tag]:
-    """Return the names and where they may stand."""
+def _tags(
+    shown: Shown,
+    outlines: Mapping[str, tuple[Point, ...]],
+    solid: Sequence[str],
+    texts: Mapping[str, tuple[str, str]] | None,
+) -> Iterator[Tag]:
+    """Yield the names and where they may stand; without texts every thing has its own name."""
     scene, layout, place = shown.scene, shown.layout, shown.place
     spans = {n: vertical_span(scene.by_name[n], layout[n]) for n in layout}
-    solid = [n for n in layout if not scene.by_name[n].is_flat and not scene.by_name[n].on_ceiling]
     hanging = {n: outlines[n] for n in layout if scene.by_name[n].on_ceiling}
-    tags: list[Tag] = []
-    for name in (asset.name for asset in scene.assets if asset.name in layout):
-        asset = scene.by_name[name]
+    for asset in scene.assets:
+        name = asset.name
+        if name not in layout or (texts is not None and name not in texts):
+            continue
+        text, short = (display_name(scene, asset), "") if texts is None else texts[name]
         above = solid if asset.is_flat else [n for n in solid if n != name and spans[n][0] > spans[name][0] + 0.05]
-        beside = not asset.on_object and (asset.on_floor or asset.on_wall or asset.on_ceiling)
         covers = [outlines[n] for n in above]
         if asset.on_ceiling:
             covers.append(cord(layout[name], place))
         if has_arrow(asset):
             covers.append(tuple(place(*p) for p in front(asset, layout[name])))
-        tags.append(
-            Tag(
-                display_name(scene, asset),
-                outlines[name],
-                beside,
-                tuple(covers),
-                _outward(scene, layout[name]) if asset.on_wall else None,
-                halo=name in shown.marks.blocked,
-                quiet=asset.on_ceiling,
-                shuns=tuple(corners for other, corners in hanging.items() if other != name),
-            )
+        yield Tag(
+            text,
+            outlines[name],
+            beside=not asset.on_object and (asset.on_floor or asset.on_wall or asset.on_ceiling),
+            covers=tuple(covers),
+            outward=_outward(scene, layout[name]) if asset.on_wall else None,
+            halo=name in shown.marks.blocked,
+            quiet=asset.on_ceiling,
+            shuns=tuple(corners for other, corners in hanging.items() if other != name),
+            short=short,
         )
-    return tags
 
 
 def _outward(scene: Scene, pose: Pose) -> Point:

@@ -48,16 +48,6 @@ class SheetNotes:
 
 
 @dataclass(frozen=True)
-class _Furniture:
-    """What a sheet says of the things in a room."""
-
-    # the number of each thing that has one; equal things have numbers that follow each other
-    numbers: Mapping[str, int]
-    carriers: Mapping[str, str]  # for each thing without a number, the numbered one that carries it
-    rows: tuple[Line, ...]  # the list
-
-
-@dataclass(frozen=True)
 class _Given:
     """What is drawn."""
 
@@ -66,7 +56,9 @@ class _Given:
     notes: SheetNotes
     marks: PlanMarks
     agent: Agent
-    things: _Furniture
+    numbers: Mapping[str, int]  # of each thing that has one; equal things have numbers that follow each other
+    carriers: Mapping[str, str]  # for each thing without a number, the numbered one that carries it
+    rows: tuple[Line, ...]  # the furniture list
 
 
 @dataclass(frozen=True)
@@ -86,7 +78,7 @@ class _Arranged:
 def draw_sheet(scene: Scene, layout: Layout, notes: SheetNotes, *, marks: PlanMarks, agent: Agent) -> Drawing:
     """Return the sheet as a drawing in paper millimetres."""
     marks = replace(marks, routes={}, arcs=(), agent_at=None)
-    given = _Given(scene, layout, notes, marks, agent, _furniture(scene, layout, notes.carriers))
+    given = _Given(scene, layout, notes, marks, agent, *_furniture(scene, layout, notes.carriers))
     at = _arranged(scene, _blocks(given))
     sheet = Drawing(*at.size)
     _draw_frame(sheet)
@@ -160,7 +152,7 @@ def _draw_plan(sheet: Drawing, given: _Given, at: _Arranged) -> None:
     place = placing(scene.room, k, at.plan[0] + around, at.plan[1] + around)
     width, height = _plan_size(scene, at.scale)
     written = draw_chains(sheet, scene.room, place, k, _draw_names(sheet, given, place, k))
-    numbers = given.things.numbers.items()
+    numbers = given.numbers.items()
     texts = {name: (f"{number} {scene.by_name[name].category}".strip(), str(number)) for name, number in numbers}
     box = (at.plan[0], at.plan[1], at.plan[0] + width, at.plan[1] + height)
     naming = Naming(box, texts, SHEET.names, tuple(written), swings(scene.room))
@@ -208,21 +200,22 @@ def _blocks(given: _Given) -> list[Block]:
         Line(f"{name} {what}", value=f"{o.width:.2f} x {o.height:.2f}{f', sill {o.sill:.2f}' if o.sill else ''}")
         for name, what, o in _openings(scene)
     ]
-    findings = [Line(_numbered(sentence, scene, given.things), "-") for sentence in notes.findings]
-    rules = [Line(_numbered(words, scene, given.things), "met" if met else "NOT") for words, met in notes.rules]
+    findings = [Line(_numbered(sentence, given), "-") for sentence in notes.findings]
+    rules = [Line(_numbered(words, given), "met" if met else "NOT") for words, met in notes.rules]
     blocks = [
         Block("Room", tuple(areas)),
         Block("Doors and windows, m", tuple(sizes)),
-        Block("Furniture, cm: width x depth x height", given.things.rows, 4.2),
+        Block("Furniture, cm: width x depth x height", given.rows, 4.2),
         Block("Rules of accessibility", tuple(rules), 2.6),
     ]
     told = Block(f"Findings: {notes.verdict}".removesuffix(": "), tuple(findings), 1.0)
     return [*(block for block in blocks if block.rows), told]
 
 
-def _numbered(sentence: str, scene: Scene, things: _Furniture) -> str:
+def _numbered(sentence: str, given: _Given) -> str:
     """Return a sentence with the things' numbers in place of their keys, and the sheet's names of the doors."""
     sentence = re.sub(r"\bdoor (\d+)", lambda match: f"door D{int(match[1]) + 1}", sentence)
+    scene, numbers, carriers = given.scene, given.numbers, given.carriers
     names = sorted(scene.by_name, key=len, reverse=True)
     if not names:
         return sentence
@@ -230,9 +223,9 @@ def _numbered(sentence: str, scene: Scene, things: _Furniture) -> str:
     def shown(match: re.Match[str]) -> str:
         name = match[0]
         words = scene.by_name[name].category or name
-        if name in things.numbers:
-            return f"{words} ({things.numbers[name]})"
-        return f"{words} (on {things.numbers[things.carriers[name]]})" if name in things.carriers else words
+        if name in numbers:
+            return f"{words} ({numbers[name]})"
+        return f"{words} (on {numbers[carriers[name]]})" if name in carriers else words
 
     return re.sub(rf"(?<![\w-])(?:{'|'.join(map(re.escape, names))})(?![\w-])", shown, sentence)
 
@@ -276,7 +269,9 @@ def _write(sheet: Drawing, at: Point, words: str, size: float, width: float, col
     sheet.words(at, words, min(size, size * width / max(text_width(words, size), 0.1)), anchor="start", color=color)
 
 
-def _furniture(scene: Scene, layout: Layout, below: Mapping[str, str]) -> _Furniture:
+def _furniture(
+    scene: Scene, layout: Layout, below: Mapping[str, str]
+) -> tuple[Mapping[str, int], Mapping[str, str], tuple[Line, ...]]:
     """Return the numbers and the list of everything in a scene; what stands on another thing (`below`) is listed with it."""
     carriers = {name: _lowest(name, below) for name in below}
     kinds: dict[tuple[str, tuple[float, ...]], list[Asset]] = {}
@@ -290,7 +285,7 @@ def _furniture(scene: Scene, layout: Layout, below: Mapping[str, str]) -> _Furni
         on = _spans(sorted({numbers[carriers[asset.name]] for asset in found}))
         rows.append(_row(found, "", f"on {on}"))
     rows += [_row(found, "-", "not placed") for found in _kinds([a for a in order if a.name not in layout])]
-    return _Furniture(numbers, carriers, tuple(rows))
+    return numbers, carriers, tuple(rows)
 
 
 def _spans(numbers: Sequence[int]) -> str:
