@@ -185,8 +185,10 @@ class AtPlaces:
                     )
                 )
 
-    def _points(self, place: Place) -> list[PointRef]:
-        """Return the middles of doors, windows or walls on the floor, or the middle of the room."""
+    def _points(self, place: Place | None) -> list[PointRef]:
+        """Return the middles of doors, windows or walls on the floor, or the middle of the room; none of no place."""
+        if place is None:
+            return []
         if place.name in ("door", "window"):
             return [_point(self.room.walls[o.wall].point(o.center)) for o in openings(self.room, place.name)]
         if place.name in ("middle", "room"):

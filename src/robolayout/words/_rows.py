@@ -37,7 +37,7 @@ def lines(scene: Scene, link: Link, names: Sequence[str]) -> int | None:
 class ToldRows:
     """What is said of straight rows: how wide they are, how they are turned to each other, and what stands between them."""
 
-    def __init__(self, scene: Scene, links: Sequence[tuple[Link, list[str], list[str]]]) -> None:
+    def __init__(self, scene: Scene, links: Sequence[tuple[Link, Sequence[str], Sequence[str]]]) -> None:
         self.scene = scene
         # beside these others stand, so that they are no unbroken row
         self.flanked = {name for link, _, to in links if link.relation in (*AT_SIDES, "amid", "between") for name in to}
