@@ -18,23 +18,15 @@ from robolayout.words import KIN
 COMFORT, AIRY = 0.26, 0.15
 """Shares of the floor up to which further things are added: usually, and in a room that is to be airy."""
 
-BASIC = 0.38
-"""Share of the floor up to which what such a room always has is added."""
+BASIC = 0.38  # share of the floor up to which what such a room always has is added
 
 LARGER, LARGEST = 1.6, 8.0
 """How many times as large as usual a room is from which on it has more zones and people, and up to which their number grows."""
 
-LIT = 22.0
-"""Square metres that one ceiling lamp lights."""
-
-SPARE = 0.02
-"""Metres between the top of a thing and the ceiling."""
-
-SEATS = {"bench", "stool", "pew", "floor cushion"}
-"""What people sit on at tables in place of chairs."""
-
-VAGUE = ("stand", "rack", "machine", "board")
-"""Last words that do not say what a thing is for."""
+LIT = 22.0  # square metres that one ceiling lamp lights
+SPARE = 0.02  # metres between the top of a thing and the ceiling
+SEATS = {"bench", "stool", "pew", "floor cushion"}  # what people sit on at tables in place of chairs
+VAGUE = ("stand", "rack", "machine", "board")  # last words that do not say what a thing is for
 
 
 IN_PLACE_OF = {
@@ -106,30 +98,25 @@ def floor(wishes: Wishes, size: tuple[float, float]) -> float:
     return size[0] * size[1] * (0.75 if wishes.reading.shape == "L-shaped" else 1.0)
 
 
+@dataclass
 class Added:
-    """What belongs in a room and was not named.
+    """What belongs in a room and was not named."""
 
-    Args:
-        wishes: What was asked for.
-        wished: The things of it, with what people bring along.
-        size: Width and depth of the room in metres.
-        fill: Share of the floor up to which further things are added.
-        agents: The bodies of the room; nothing is added that one of them cannot open wherever it hangs.
-    """
+    wishes: Wishes  # what was asked for
+    wished: Mapping[str, int]  # the things of it, with what people bring along
+    floor: float  # floor of the room in m2
+    known: Known
+    fill: float  # share of the floor up to which further things are added
+    agents: Sequence[Agent]  # the bodies of the room; nothing is added that one cannot open wherever it hangs
 
-    def __init__(
-        self,
-        wishes: Wishes,
-        wished: Mapping[str, int],
-        size: tuple[float, float],
-        known: Known,
-        fill: float,
-        agents: Sequence[Agent],
-    ) -> None:
-        self.wishes, self.wished, self.known, self.agents = wishes, wished, known, agents
+    def __post_init__(self) -> None:
+        """Note what the words leave no room for."""
+        wishes, known = self.wishes, self.known
         self.room, self.companions = wishes.room, wishes.rooms.companions
-        self.floor, self.fill = floor(wishes, size), AIRY if wishes.reading.airy else fill
-        self.asked = {known.head(name) for name in wishes.things} | ({"bed"} & {known.head(name) for name in wished})
+        self.fill = AIRY if wishes.reading.airy else self.fill
+        self.asked = {known.head(name) for name in wishes.things} | (
+            {"bed"} & {known.head(name) for name in self.wished}
+        )
         self.lasts = {name.split()[-1] for name in wishes.things} | wishes.general
         links = [link for link in wishes.reading.parsed.links if link.relation in ("on", "above")]
         laid = {mention.thing.noun.kind for link in links for mention in link.subjects}

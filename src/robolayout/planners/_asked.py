@@ -44,11 +44,8 @@ PARTING = ("left_of({a}, {b}, {gap}, {most})", "align_with({a}, {b}, 90)")
 BACK_TO_BACK = ('centered_on({a}, {b}, "side")',)
 """What is said of a thing at the left of another, behind it, at its left to part it from the next one, and back to back with it."""
 
-AROUND = Join("around", (), gap=GAPS.seated, all=("around({items}, {b}, gap={gap})",))
-"""How seats stand around a thing."""
-
-IN_THE_LIGHT = -3.0
-"""Weight of the wish of what something hangs above to stand at a window."""
+AROUND = Join("around", (), gap=GAPS.seated, all=("around({items}, {b}, gap={gap})",))  # how seats stand around a thing
+IN_THE_LIGHT = -3.0  # weight of the wish of what something hangs above to stand at a window
 
 
 def asked_lines(scene: Scene, demands: Sequence[Demand], known: set[str]) -> dict[str, str]:

@@ -38,20 +38,16 @@ SLOTS = {
     "setting": "laid out on",
 }
 """Ways of standing at something else, in words."""
-STANDS = ("wall", "corner", "middle", "facing", "grid", "hang", "ceiling", "rug")
-"""Ways of standing by itself."""
-GROUP_KEYS = ("label", "order", "why")
-"""What the head of a file says."""
+STANDS = ("wall", "corner", "middle", "facing", "grid", "hang", "ceiling", "rug")  # ways of standing by itself
+GROUP_KEYS = ("label", "order", "why")  # what the head of a file says
 TOP_KEYS = (*HEADS, *GROUP_KEYS, "thing", "rooms")
 """What a file may hold at its top, beside records; `label`, `order`, `why` and `thing` are the older form."""
 _VALUES = (
     "a, a2, b, wall, bwall, side, gap, least, most, near, far, angle, height, seat, straight, vertex, depth, items, "
     "ahead low, ahead high"
 )
-PLACEHOLDERS = frozenset(_VALUES.split(", "))
-"""What a statement may name in braces."""
-MAX_BYTES = 1_000_000
-"""Largest knowledge file in bytes; the built-in ones have at most 12,000."""
+PLACEHOLDERS = frozenset(_VALUES.split(", "))  # what a statement may name in braces
+MAX_BYTES = 1_000_000  # largest knowledge file in bytes; the built-in ones have at most 12,000
 _CHECK = Checker(SceneError)
 
 
@@ -146,11 +142,7 @@ class Knowledge:
 
 
 def load_knowledge(extra: Iterable[Path] = ()) -> Knowledge:
-    """Read the built-in files and then `extra` ones, whose names replace built-in ones.
-
-    Raises:
-        SceneError: A file is missing, broken, says what cannot be, or what another of `extra` says.
-    """
+    """Read the built-in files and then `extra` ones, whose names replace built-in ones but not each other's."""
     return _parse(tuple((str(path), _CHECK.read_text(path, "the knowledge file", MAX_BYTES)) for path in extra))
 
 

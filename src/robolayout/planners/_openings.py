@@ -47,11 +47,7 @@ def openings(
     """Return doors near the ends of long walls (varied: somewhere in any wall), and windows in other walls.
 
     Where another wall can have it, no door is made at a wall or corner where things are to stand, and no window behind high ones.
-
-    Args:
-        room: The room without them.
-        wide: Width of a door in metres.
-        rng: Settles what is not asked for.
+    A door is `wide` metres wide.
     """
     order = sorted(range(len(room.walls)), key=lambda i: -room.walls[i].length)
     usual = order[int(rng.integers(0, len(order) if varied else min(2, len(order))))]

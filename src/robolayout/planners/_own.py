@@ -12,10 +12,8 @@ from robolayout.planners._shapes import among, build, table
 from robolayout.scene import agent_names
 from robolayout.words.rooms import RoomType
 
-MOST = 200
-"""Things of one kind that a room type may have."""
-OWN = "your own file"
-"""Where the size of an own category comes from."""
+MOST = 200  # things of one kind that a room type may have
+OWN = "your own file"  # where the size of an own category comes from
 
 
 @dataclass(frozen=True)
@@ -70,12 +68,7 @@ def own_sides(category: Category) -> tuple[str, ...] | None:
 
 
 def own_rooms(entries: object, things: Mapping[str, Category]) -> tuple[RoomType, ...]:
-    """Return the room types of a file.
-
-    Args:
-        entries: Its `[rooms.NAME]` tables.
-        things: The user's own categories by name.
-    """
+    """Return the room types of a file from its `[rooms.NAME]` tables; they may name the user's own things."""
     given = table(entries, 'rooms (such as [rooms."music room"])')
     return tuple(_room(name, table(entry, f"the room {name!r}"), things) for name, entry in given.items())
 

@@ -11,17 +11,10 @@ from robolayout.planners._knowledge import ALONE, ON_ANY, Join, Knowledge, Role
 from robolayout.scene import Agent, Asset, Scene
 from robolayout.scene.agent import horizontal_reach
 
-TOP_HEIGHT = 1.45
-"""Metres above which nothing is put on a top: out of sight and of most hands."""
-
-BEYOND = 0.03
-"""Metres beyond its own edge that an arm must get to a thing on a top."""
-
-TOP_SHARE = 0.55
-"""Share of a top that may be covered."""
-
-NARROWEST = 0.6
-"""Metres that people need to get to a side of a thing."""
+TOP_HEIGHT = 1.45  # metres above which nothing is put on a top: out of sight and of most hands
+BEYOND = 0.03  # metres beyond its own edge that an arm must get to a thing on a top
+TOP_SHARE = 0.55  # share of a top that may be covered
+NARROWEST = 0.6  # metres that people need to get to a side of a thing
 
 
 @dataclass(frozen=True)

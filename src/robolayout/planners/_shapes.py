@@ -41,11 +41,7 @@ def _fits(value: object, kind: Any) -> bool:
 
 
 def build(kind: type[Kind], entry: Mapping[str, Any], where: str) -> Kind:
-    """Return an entry of a file as a dataclass; lists become tuples.
-
-    Raises:
-        SceneError: A key is missing, unknown, or holds a value of the wrong kind.
-    """
+    """Return an entry of a file as a dataclass; a key that is missing, unknown or of the wrong kind is refused."""
     known, kinds = {field.name: field for field in fields(kind)}, _KINDS(kind)  # type: ignore[arg-type]
     for key, value in table(entry, where).items():
         if key not in known:

@@ -45,14 +45,9 @@ SIZE_WORDS = {"small", "large", "big", "little"}
 Size = tuple[float, float, float]
 
 
-APART = 0.25
-"""Metres between things that lie on a rug or sit in a line."""
-
-LONGEST = 50.0
-"""Metres of the longest thing that a room is furnished with."""
-
-ELBOWS = 0.6
-"""Metres of a table's edge for who sits there."""
+APART = 0.25  # metres between things that lie on a rug or sit in a line
+LONGEST = 50.0  # metres of the longest thing that a room is furnished with
+ELBOWS = 0.6  # metres of a table's edge for who sits there
 
 SEATS, AT_A_LINE = ("stool", "chair"), ("front", "by", "with", "wall", "next", "around")
 """Last words of what sits before a counter, and relations that say so."""
@@ -204,16 +199,7 @@ class Wishes:
 
 
 def read_wishes(text: str, rooms: Rooms, own: tuple[Category, ...] = ()) -> Wishes:
-    """Return what a text asks of a new room.
-
-    Args:
-        text: One or several sentences.
-        rooms: The room types, bodies and corners that are known.
-        own: Categories of the user's own.
-
-    Raises:
-        SceneError: It is empty, or names neither a room nor a thing.
-    """
+    """Return what a text asks of a new room; one that is empty, or names neither a room nor a thing, is refused."""
     if not text.strip():
         raise SceneError('the sentence is empty; say for example "a bedroom for two with a desk, 4 x 5 m".')
     if len(text) > LIMITS.text:

@@ -9,8 +9,7 @@ from robolayout._reading import Checker
 from robolayout.planners._types import Group, PlanRequest
 from robolayout.scene import Scene
 
-MAX_BYTES = 2_000_000
-"""Largest program file in bytes that is read."""
+MAX_BYTES = 2_000_000  # largest program file in bytes that is read
 _CHECK = Checker(ProgramError)
 
 

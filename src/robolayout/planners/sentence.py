@@ -121,7 +121,7 @@ def scene_from_sentence(
     _possible(wishes, wished, size, known)
     agent = wishes.reading.agent or wishes.room.agent
     bodies = agents or ([load_agent(agent)] if agent else [])
-    added = Added(wishes, wished, size, known, fill, bodies).things(rng)
+    added = Added(wishes, wished, floor(wishes, size), known, fill, bodies).things(rng)
     height = _height(wishes, [known.kinds[name] for name in (*wished, *added)])
     assumed = (*wishes.guesses, *_assumed(wishes, size, height, [known.kinds[name] for name in wished]))
     kind = wishes.room.of or wishes.room.name

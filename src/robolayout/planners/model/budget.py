@@ -12,14 +12,12 @@ from decimal import Decimal
 from robolayout._errors import BudgetError
 from robolayout.planners.model.exchange import Question
 
-CHARACTERS_PER_TOKEN = 4
-"""Characters of English or program text that make one token, where nobody counts them."""
+CHARACTERS_PER_TOKEN = 4  # characters of English or program text that make one token, where nobody counts them
 
 TOKENS_PER_PICTURE = 1_100
 """Tokens of one of our pictures (768 pixels a side) at the providers that count them in tiles."""
 
-FIRST_ANSWER = 1_200
-"""Tokens that an answer is expected to have before one has come: a program for a dozen things."""
+FIRST_ANSWER = 1_200  # tokens that an answer is expected to have before one has come: a program for a dozen things
 
 Price = Callable[[int, int], Decimal | None]
 """Dollars for so many tokens sent and received; None where no price is known."""

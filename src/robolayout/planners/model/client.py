@@ -59,16 +59,14 @@ if TYPE_CHECKING:
 T = TypeVar("T")
 Check = Callable[[Any], str | None]
 
-MOST_CHARACTERS = 400_000
-"""Characters of an answer beyond which it is refused."""
+MOST_CHARACTERS = 400_000  # characters of an answer beyond which it is refused
 
 ASTRAY = (ArithmeticError, AttributeError, LookupError, TypeError, ValueError)
 """What a provider's client trips over in an answer that is JSON but of no form that it knows."""
 FAILURES = {kind.__name__: kind for kind in (ModelError, BudgetError, AnswerError, UnavailableError)}
 """How a recorded question may have failed."""
 
-PATIENCE = 3.0
-"""Times `timeout` that one question may take with all its tries."""
+PATIENCE = 3.0  # times `timeout` that one question may take with all its tries
 
 
 @dataclass(frozen=True)
@@ -145,13 +143,7 @@ class _Taped(WrapperModel):
 
 
 class Client:
-    """Asks questions, concurrently, and keeps count.
-
-    Args:
-        specs: Which model, and where it is; then those that stand in for it.
-        tape: Where answers are recorded or come from.
-        options: How it is asked.
-    """
+    """Asks questions of the first of some models, concurrently, and keeps count; the others stand in for it."""
 
     def __init__(self, specs: tuple[Spec, ...], tape: Tape, options: ModelOptions) -> None:
         self.specs, self.spec, self.tape, self.options = specs, specs[0], tape, options
@@ -192,12 +184,10 @@ class Client:
     def ask(
         self, questions: Sequence[Question], answer: type[T], check: Check | None = None
     ) -> list[T | InputError | ModelError]:
-        """Return one answer or error per question, in order.
+        """Return one answer of a type, or one error, per question, in order.
 
-        Args:
-            questions: What to ask, at the same time; under a budget one first, whose cost tells how many more fit.
-            answer: `str`, or a type that the answer must have.
-            check: What is wrong with an answer, in words; the model is asked again, at most twice.
+        Under a budget one is asked first: its cost tells how many more fit. What is wrong with an answer, as `check` tells it in
+        words, goes back to the model, at most twice.
         """
         ahead = 1 if self.budget.most is not None else len(questions)
         parts = [part for part in (questions[:ahead], questions[ahead:]) if part]

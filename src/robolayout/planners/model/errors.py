@@ -28,8 +28,7 @@ SEES = re.compile(r"image|vision|multi-?modal|picture|mmproj", re.IGNORECASE)
 BUSY = (408, 409, 425, 429)
 """Refusals of a server that pass by themselves; others need the user: a key, a name, a smaller room."""
 
-LONGEST_REASON = 300
-"""Characters of a provider's own message that are shown."""
+LONGEST_REASON = 300  # characters of a provider's own message that are shown
 
 
 def refuses_images(error: ModelHTTPError) -> bool:

@@ -23,29 +23,17 @@ from robolayout._files import write_atomic
 from robolayout._reading import Checker, show
 from robolayout.planners.model.prompt import PROMPT_VERSION, digest
 
-FORMAT = 1
-"""Version of the exchange files."""
-
-KINDS = ("room", "group", "plan", "rate", "amend", "judge")
-"""What a model may be asked for."""
-
-NAME = re.compile(rf"({'|'.join(KINDS)})-[a-z0-9-]*attempt\d+-sample\d+(-turn\d+)?\.json")
-"""Names of exchange files."""
-
-COST = re.compile(r"\d{1,12}(\.\d{1,30})?(E[+-]?\d{1,2})?", re.ASCII)
-"""Dollars as a recording writes them."""
-
-MOST_FILES, MOST_BYTES = 10_000, 4_000_000
-"""Exchange files that a recording may have, and bytes of one."""
-
-MOST_TOKENS = 10**12
-"""Largest count in a recording."""
+FORMAT = 1  # version of the exchange files
+KINDS = ("room", "group", "plan", "rate", "amend", "judge")  # what a model may be asked for
+NAME = re.compile(rf"({'|'.join(KINDS)})-[a-z0-9-]*attempt\d+-sample\d+(-turn\d+)?\.json")  # names of exchange files
+COST = re.compile(r"\d{1,12}(\.\d{1,30})?(E[+-]?\d{1,2})?", re.ASCII)  # dollars as a recording writes them
+MOST_FILES, MOST_BYTES = 10_000, 4_000_000  # exchange files that a recording may have, and bytes of one
+MOST_TOKENS = 10**12  # largest count in a recording
 
 _CHECK = Checker(InputError)
 
 
-Picture = tuple[str, bytes]
-"""The line above a picture, and the picture as PNG."""
+Picture = tuple[str, bytes]  # the line above a picture, and the picture as PNG
 
 
 @dataclass(frozen=True)
@@ -110,9 +98,7 @@ class Tape:
     def recall(self, question: Question, turn: int) -> dict[str, Any]:
         """Return the recorded exchange of a question, and record it again.
 
-        Raises:
-            InputError: It was recorded for another job, or the group was never asked for.
-            ModelError: There is none for this attempt, sample or turn.
+        That of another job, or none for a group, is an `InputError`; none for a later attempt, sample or turn a `ModelError`.
         """
         entry = self._recorded.get(question.slot(turn))
         if entry is None:

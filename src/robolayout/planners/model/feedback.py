@@ -9,8 +9,7 @@ from types import MappingProxyType
 
 from robolayout._errors import ProgramError
 
-MOST_LINES = 40
-"""Sentences of one kind that are told; more only hide the first ones."""
+MOST_LINES = 40  # sentences of one kind that are told; more only hide the first ones
 
 NO_NAMES: Mapping[str, str] = MappingProxyType({})
 

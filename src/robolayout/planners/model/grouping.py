@@ -13,11 +13,8 @@ from pydantic import BaseModel, Field
 from robolayout.planners._types import Group
 from robolayout.scene import Scene
 
-LEFT_OVER = "left over"
-"""Label of the group of things that a model never named."""
-
-LONGEST_WORDS = 300
-"""Characters of a label, reason or phrase that are kept."""
+LEFT_OVER = "left over"  # label of the group of things that a model never named
+LONGEST_WORDS = 300  # characters of a label, reason or phrase that are kept
 
 
 class AnsweredGroup(BaseModel):

@@ -33,14 +33,9 @@ from robolayout.scene import Layout, Scene
 if TYPE_CHECKING:
     from pydantic_ai.models import Model
 
-MOST_VOTES = 32
-"""Votes on one room."""
-
-FREEDOM = 0.8
-"""Temperature of a vote: votes without freedom are one vote."""
-
-LONGEST_REASON = 300
-"""Characters of a reason that are kept."""
+MOST_VOTES = 32  # votes on one room
+FREEDOM = 0.8  # temperature of a vote: votes without freedom are one vote
+LONGEST_REASON = 300  # characters of a reason that are kept
 
 
 class Vote(BaseModel):

@@ -15,8 +15,7 @@ if TYPE_CHECKING:
     from robolayout.planners.model.client import Client
 
 Thinking = Literal["minimal", "low", "medium", "high"]
-THINKING: tuple[Thinking, ...] = get_args(Thinking)
-"""How much a model may think before it answers, where it can."""
+THINKING: tuple[Thinking, ...] = get_args(Thinking)  # how much a model may think before it answers, where it can
 
 
 @dataclass(frozen=True)
@@ -46,12 +45,7 @@ class ModelOptions:
             raise UnknownNameError("level of thinking", self.thinking, THINKING)
 
     def open(self, model: str | Model | None) -> Client:
-        """Return a client for a model; a replay needs none.
-
-        Raises:
-            InputError: There is neither a model nor a recording, or no such model.
-            MissingExtraError: The model library is not installed.
-        """
+        """Return a client for a model; a replay needs none."""
         if model is None and self.replay is None:
             raise InputError("a model is needed: give one such as openai:gpt-4o, or a recording to replay.")
         record, replay = (Path(folder) if folder else None for folder in (self.exchanges, self.replay))

@@ -40,8 +40,7 @@ Mode = Literal["grouped", "one_shot", "no_image", "no_constraint"]
 MODES: tuple[Mode, ...] = get_args(Mode)
 """How a model is asked: group by group, all at once, without pictures, for poses alone (each but one_shot in groups)."""
 
-EVERYTHING = "everything"
-"""Label of the one group of a one-shot plan."""
+EVERYTHING = "everything"  # label of the one group of a one-shot plan
 
 
 class ModelPlanner:

@@ -21,14 +21,9 @@ from robolayout.planners.model.vocabulary import vocabulary
 from robolayout.planners.sentence import SIZES
 from robolayout.scene import Agent, Asset, Layout, Opening, Pose, Room, Scene, agent_names
 
-PROMPT_VERSION = "3"
-"""Version of the prompt files; written into every exchange and every report."""
-
-PLACES = ("floor", "wall", "ceiling", "another thing")
-"""Where a thing may be."""
-
-LONGEST_DESCRIPTION = 400
-"""Characters of a description that a model is shown."""
+PROMPT_VERSION = "3"  # version of the prompt files; written into every exchange and every report
+PLACES = ("floor", "wall", "ceiling", "another thing")  # where a thing may be
+LONGEST_DESCRIPTION = 400  # characters of a description that a model is shown
 
 
 @cache
@@ -68,11 +63,9 @@ def digest(data: object) -> str:
 
 
 def request_text(scene: Scene, group: Group | None, *, names: bool = False) -> str:
-    """Return what is asked: the task, the room, the agents, and the things to place.
+    """Return what is asked: the task, the room, the agents, and the things to place, which are all without a group.
 
-    Args:
-        group: The things to place; None places all.
-        names: Show the things under their names ("bed-0") instead of their variables ("bed[0]").
+    With `names` they are shown under their names ("bed-0") instead of their variables ("bed[0]").
     """
     assets = [scene.by_name[name] for name in group.items] if group else scene.assets
     written = scene.expressions

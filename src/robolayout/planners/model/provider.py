@@ -24,8 +24,7 @@ from robolayout._errors import InputError, UnavailableError, UnknownNameError
 from robolayout._reading import Checker
 from robolayout._reading.syntax import decoded, json_value
 
-OLLAMA_URL = "http://localhost:11434/v1"
-"""Where Ollama listens unless told otherwise."""
+OLLAMA_URL = "http://localhost:11434/v1"  # where Ollama listens unless told otherwise
 
 PROVIDERS = (
     *("openai", "anthropic", "google", "ollama", "openrouter", "mistral", "groq", "deepseek", "xai", "azure"),
@@ -33,8 +32,7 @@ PROVIDERS = (
 )
 """Providers that a message names; every further one of pydantic-ai works too."""
 
-MOST_BYTES = 4_000_000
-"""Bytes of one answer of a server that are read; a program needs a thousandth of that."""
+MOST_BYTES = 4_000_000  # bytes of one answer of a server that are read; a program needs a thousandth of that
 
 
 @dataclass(frozen=True)

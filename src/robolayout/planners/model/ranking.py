@@ -14,11 +14,8 @@ from robolayout.program import Program
 
 HARD = ("placed_share", "collision_free_share", "in_boundary_share", "supported_share", "door_clear")
 ACCESS = ("doors_reached", "reachable_share_chairs_aside", "usable_share")
-WALKABLE = 0.95
-"""Walkable ratio that a report demands (DESIGN section 8); more than that is no merit."""
-
-STEP = 1e-4
-"""Differences between shares below this do not count."""
+WALKABLE = 0.95  # walkable ratio that a report demands (DESIGN section 8); more than that is no merit
+STEP = 1e-4  # differences between shares below this do not count
 
 
 @dataclass(frozen=True)

@@ -17,8 +17,7 @@ from robolayout.planners.sentence import SIZES, Understanding, asset_entry
 from robolayout.scene import Layout, Pose, Scene, agent_names, scene_from_dict, variable_name
 from robolayout.words import read_words
 
-FILE = "catalogue.json"
-"""What a user's own catalogue is called in the folder of assets (`robolayout assets import`)."""
+FILE = "catalogue.json"  # what a user's own catalogue is called in the folder of assets (`robolayout assets import`)
 
 GIVEN = ("count", "opening", "refusal", "room size", "room area", "room height")
 """Rows of the ledger that a scene meets or not before anything is placed."""
