@@ -80,6 +80,6 @@ def test_a_frame_of_an_empty_layout_and_several_agents(result: rl.Result) -> Non
 
 
 def test_without_pandas_the_package_is_named(result: rl.Result, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(import_module("robolayout.verify.frame"), "find_spec", lambda name: None)
+    monkeypatch.setattr(import_module("robolayout.verify.report"), "find_spec", lambda name: None)
     with pytest.raises(MissingExtraError, match=r"to_frame\(\) needs the package 'pandas': pip install pandas\."):
         result.to_frame()

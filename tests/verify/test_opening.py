@@ -13,8 +13,9 @@ from verify_rooms import DISC, furnished, on_floor, square, thing
 
 from robolayout.scene import Agent, Asset
 from robolayout.verify import usage
+from robolayout.verify._boxes import boxes
 from robolayout.verify._space import areas
-from robolayout.verify._swept import Swept
+from robolayout.verify._swept import swept
 from robolayout.verify.heading import rectangle
 from robolayout.verify.holds import STRIDES
 
@@ -57,8 +58,7 @@ def test_a_body_stands_beside_the_open_leaf() -> None:
     scene, layout = furnished(square(5.0), (WARDROBE, on_floor(WARDROBE, 0.3, 2.5)))
     use = usage(scene, layout, ARM).uses["wardrobe-0"]
     assert use.opens in ("door 0", "door 1") and use.stand is not None
-    swept = Swept.of(usage(scene, layout, ARM)._judge.found, [0])  # pyright: ignore[reportPrivateUsage]
-    assert all(isinstance(zone, Polygon) for zone in swept.zones)
+    assert all(isinstance(zone, Polygon) for zone in swept(boxes(scene, layout), [0])[1])
     leaves = (
         Polygon(((0.6, y), (1.1, y), (1.1, y + s * 0.018), (0.6, y + s * 0.018))) for y, s in ((2.0, 1), (3.0, -1))
     )

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cached_property, lru_cache
 
 import numpy as np
 import shapely
@@ -30,8 +30,16 @@ class Approaches:
     rows: NDArray[np.intp]  # (m,) the assets
     sides: tuple[str, ...]  # the sides; empty for the whole footprint of what is carried or movable
     edges: NDArray[np.float64]  # (m, 2, 2) the ends of the sides; of a footprint, those of its front
-    # (m,) where the body's centre has it within reach: beyond the edge, never under what carries the asset
-    zones: NDArray[np.object_]
+    reach: NDArray[np.float64]  # (m,) metres within which the body's centre has them in plan
+
+    @cached_property
+    def zones(self) -> NDArray[np.object_]:
+        """(m,) where the body's centre has it within reach: beyond the edge, never under what carries the asset."""
+        zones = self._within(np.arange(len(self.rows)), self.reach)
+        for number, (row, side) in enumerate(zip(self.rows.tolist(), self.sides, strict=True)):
+            if side == "front" and opens(self.found, self.agent, row):
+                zones[number] = opening_zone(self.found, self.agent, row)
+        return zones
 
     def of(self, row: int) -> list[int]:
         """Return the numbers of an asset's approaches."""
@@ -45,10 +53,23 @@ class Approaches:
 
     def zone(self, number: int, reach: float) -> BaseGeometry:
         """Return from where an approach is within some other reach in metres."""
-        some = np.array([number])
-        return _zones(self.found, self.agent, self.rows[some], self.edges[some], np.array([reach]), self._whole[some])[
-            0
-        ]
+        return self._within(np.array([number]), np.array([reach]))[0]
+
+    def _within(self, some: NDArray[np.intp], reach: NDArray[np.float64]) -> NDArray[np.object_]:
+        """Return from where the edges, or whole footprints, of some approaches are within reach."""
+        zones, whole = np.empty(len(some), dtype=object), self._whole[some]
+        zones[~whole] = within(self.edges[some][~whole], reach[~whole])
+        feet = self.found.footprints[self.rows[some]][whole]
+        zones[whole] = shapely.buffer(feet, reach[whole], quad_segs=FINE.quad_segs)
+        return self._not_under(some, zones)
+
+    def _not_under(self, some: NDArray[np.intp], zones: NDArray[np.object_]) -> NDArray[np.object_]:
+        """Return zones of some approaches without what lies under a higher asset that carries the one in question."""
+        found, below = self.found, self.found.carriers[self.rows[some]]
+        under = np.flatnonzero(self._whole[some] & (below >= 0))
+        under = under[found.top[below[under]] > self.agent.height]
+        zones[under] = shapely.difference(zones[under], found.footprints[below[under]])
+        return zones
 
     def touching(self, body: NDArray[np.float64]) -> NDArray[np.object_]:
         """Return (m,) from where a rectangular body with these corners (4, 2) around its centre touches each approach."""
@@ -57,7 +78,7 @@ class Approaches:
         edge = ~self._whole
         beyond = strips(self.edges[edge], np.full(int(edge.sum()), size), size)
         near[edge] = shapely.intersection(near[edge], beyond)
-        return _not_under(self.found, self.agent, self.rows, near, self._whole)
+        return self._not_under(np.arange(len(self.rows)), near)
 
     def swept(self, body: NDArray[np.float64]) -> NDArray[np.object_]:
         """Return (m,) where the centre of a body with these corners is while it overlaps each approach's target."""
@@ -68,7 +89,7 @@ class Approaches:
         result[whole] = grown(feet, body)
         return result
 
-    @property
+    @cached_property
     def _whole(self) -> NDArray[np.bool_]:
         return np.array([not side for side in self.sides], dtype=bool)
 
@@ -91,38 +112,7 @@ def approaches(found: Boxes, agent: Agent) -> Approaches:
     index, at = np.array(rows, dtype=np.intp), np.array([SIDES.index(side or "front") for side in sides], dtype=np.intp)
     corners = shapely.get_coordinates(found.footprints[index]).reshape(-1, 5, 2)
     edges = np.stack([corners[np.arange(len(at)), at], corners[np.arange(len(at)), at + 1]], axis=1)
-    whole = np.array([not side for side in sides], dtype=bool)
-    zones = _zones(found, agent, index, edges, np.array(reach), whole)
-    for number in range(len(rows)):
-        if sides[number] == "front" and opens(found, agent, rows[number]):
-            zones[number] = opening_zone(found, agent, rows[number])
-    return Approaches(found, agent, index, tuple(sides), edges, zones)
-
-
-def _zones(
-    found: Boxes,
-    agent: Agent,
-    rows: NDArray[np.intp],
-    edges: NDArray[np.float64],
-    reach: NDArray[np.float64],
-    whole: NDArray[np.bool_],
-) -> NDArray[np.object_]:
-    """Return from where edges, or whole footprints, are within reach."""
-    zones = np.empty(len(rows), dtype=object)
-    zones[~whole] = within(edges[~whole], reach[~whole])
-    zones[whole] = shapely.buffer(found.footprints[rows[whole]], reach[whole], quad_segs=FINE.quad_segs)
-    return _not_under(found, agent, rows, zones, whole)
-
-
-def _not_under(
-    found: Boxes, agent: Agent, rows: NDArray[np.intp], zones: NDArray[np.object_], whole: NDArray[np.bool_]
-) -> NDArray[np.object_]:
-    """Return zones without what lies under a higher asset that carries the one in question."""
-    below = found.carriers[rows]
-    under = np.flatnonzero(whole & (below >= 0))
-    under = under[found.top[below[under]] > agent.height]
-    zones[under] = shapely.difference(zones[under], found.footprints[below[under]])
-    return zones
+    return Approaches(found, agent, index, tuple(sides), edges, np.array(reach))
 
 
 @lru_cache(maxsize=32)

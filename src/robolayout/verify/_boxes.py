@@ -280,8 +280,3 @@ def share(flags: Any) -> float:
     """Return the share of true values; 1 for none at all."""
     values = np.asarray(flags, dtype=bool)
     return float(values.mean()) if values.size else 1.0
-
-
-def metres(value: float) -> str:
-    """Return a length for a sentence: `0.62 m`."""
-    return f"{value:.2f} m" if math.isfinite(value) else "no distance"

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
 from functools import lru_cache
 
 import numpy as np
@@ -19,23 +18,13 @@ from robolayout.verify._sides import within
 from robolayout.verify.limits import FINE
 
 
-@dataclass(frozen=True, eq=False)
-class Swept:
-    """One row for each joint that needs room, or for each thing that a person works before."""
-
-    rows: NDArray[np.intp]  # (m,) the assets
-    zones: NDArray[np.object_]  # (m,) what is swept beyond the front, in the world frame
-    bottom: NDArray[np.float64]  # (m,) metres
-    top: NDArray[np.float64]  # (m,) metres
-
-    @classmethod
-    def of(cls, found: Boxes, rows: Iterable[int]) -> Swept:
-        """Return what some placed assets sweep."""
-        items = [(row, sweep) for row in dict.fromkeys(rows) for sweep in sweeps_of(found.assets[row])]
-        zones = np.empty(len(items), dtype=object)
-        zones[:] = [in_room(sweep.region, found.where(row)[1]) for row, sweep in items]
-        levels = np.array([found.poses[row, 2] + np.array(sweep.heights) for row, sweep in items]).reshape(-1, 2)
-        return cls(np.array([row for row, _ in items], dtype=np.intp), zones, levels[:, 0], levels[:, 1])
+def swept(found: Boxes, rows: Iterable[int]) -> tuple[NDArray[np.intp], NDArray[np.object_], NDArray[np.float64]]:
+    """Return what placed assets sweep beyond their fronts: their rows (m,), the zones (m,) in the room, and heights (m, 2) in metres."""
+    items = [(row, sweep) for row in dict.fromkeys(rows) for sweep in sweeps_of(found.assets[row])]
+    zones = np.empty(len(items), dtype=object)
+    zones[:] = [in_room(sweep.region, found.where(row)[1]) for row, sweep in items]
+    levels = np.array([found.poses[row, 2] + np.array(sweep.heights) for row, sweep in items]).reshape(-1, 2)
+    return np.array([row for row, _ in items], dtype=np.intp), zones, levels
 
 
 def by_hand(found: Boxes, agent: Agent, row: int) -> list[tuple[Joint, float]]:

@@ -7,9 +7,8 @@ drive meets nothing, and a drive proves that the body gets there.
 
 from __future__ import annotations
 
-import heapq
 import math
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import pairwise
@@ -20,7 +19,7 @@ from shapely import Polygon
 from robolayout.scene import Point, Room
 from robolayout.verify.heading import HeadingSpace, Node
 from robolayout.verify.limits import FINE
-from robolayout.verify.routes import Mesh, nearest_place
+from robolayout.verify.routes import Mesh, cheapest, nearest_place
 
 Pose = tuple[float, float, float]  # x and y of a body's centre in metres and its heading in radians
 
@@ -50,7 +49,7 @@ def find_drives(room: Room, space: HeadingSpace, stands: Mapping[str, Point]) ->
     """Return a drive from the door to each of these places to stand; none where the body does not get there."""
     if space.start is None:
         return {}
-    planner = _Planner(space, entry(room, space.pieces[space.start]))
+    planner = _Planner(room, space, space.start)
     found = {name: planner.drive(name, stand) for name, stand in stands.items()}
     return {name: drive for name, drive in found.items() if drive is not None}
 
@@ -67,42 +66,23 @@ def entry(room: Room, piece: Polygon) -> Point:
 class _Planner:
     """The cheapest ways over pieces and turns from a start, found once for all places."""
 
-    def __init__(self, space: HeadingSpace, start: Point) -> None:
-        self._space = space
-        self._meshes: dict[Node, Mesh] = {}
-        assert space.start is not None
-        self._origin = (space.start, start)
-        self._before: dict[Node, tuple[Node, Polygon, int] | None] = {space.start: None}
-        self._spot: dict[Node, Point] = {space.start: start}
-        self._search()
-
-    def _search(self) -> None:
+    def __init__(self, room: Room, space: HeadingSpace, source: Node) -> None:
+        self._space, self._meshes = space, dict[Node, Mesh]()
         links: dict[Node, list[tuple[Node, Polygon, int]]] = {}
-        for a, b, place in self._space.links:
+        for a, b, place in space.links:
             links.setdefault(a, []).append((b, place, 1))
             links.setdefault(b, []).append((a, place, -1))
-        node, start = self._origin
-        queue: list[tuple[float, Node, Point]] = [(0.0, node, start)]
-        cost, done = {node: 0.0}, set[Node]()
-        while queue:
-            spent, node, at = heapq.heappop(queue)
-            if node in done:
-                continue
-            done.add(node)
-            for other, place, turn in links.get(node, ()):
-                spot = _nearest(place, at)
-                further = spent + math.dist(at, spot) + FINE.turn
-                if further < cost.get(other, math.inf):
-                    cost[other], self._spot[other] = further, spot
-                    self._before[other] = (node, place, turn)
-                    heapq.heappush(queue, (further, other, spot))
+
+        def turns(node: Node, at: Point) -> Iterator[tuple[Node, Point, int]]:
+            return ((other, _nearest(place, at), turn) for other, place, turn in links.get(node, ()))
+
+        self._tree = cheapest(source, entry(room, space.pieces[source]), turns, FINE.turn)
 
     def drive(self, name: str, stand: Point) -> Drive | None:
         """Return the drive to a place to stand, in the heading with the fewest turns."""
         spot = shapely.Point(stand)
-        near = [
-            node for node, piece in self._space.pieces.items() if node in self._spot and piece.distance(spot) < 1e-6
-        ]
+        pieces = self._space.pieces.items()
+        near = [node for node, piece in pieces if node in self._tree.cost and piece.distance(spot) < 1e-6]
         if not near:
             return None
         chains = [self._chain(node) for node in near]
@@ -118,13 +98,11 @@ class _Planner:
 
     def _chain(self, node: Node) -> list[tuple[Node, Point, int]]:
         """Return the pieces from the start to this one, each with the spot where it is entered and how it turns there."""
-        chain: list[tuple[Node, Point, int]] = []
-        at: Node | None = node
-        while at is not None:
-            step = self._before[at]
-            chain.append((at, self._spot[at], step[2] if step else 0))
-            at = step[0] if step else None
-        return chain[::-1]
+        spot = self._tree.cost[node][1]
+        if node not in self._tree.before:
+            return [(node, spot, 0)]
+        before, turn = self._tree.before[node]
+        return [*self._chain(before), (node, spot, turn)]
 
     def _way(self, node: Node, start: Point, goal: Point) -> tuple[Point, ...]:
         """Return the taut way within a piece, without its start."""

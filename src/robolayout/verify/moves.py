@@ -45,18 +45,13 @@ class Move:
 
 def moves(scene: Scene, layout: Layout, program: Program | None, agents: tuple[Agent, ...]) -> tuple[Move, ...]:
     """Return what was moved from a program's guess, the farthest first."""
-    found = [] if program is None else [move for move in _off(layout, program) if move.asset in scene.by_name]
-    if not found:
+    if program is None or not (found := [move for move in _off(layout, program) if move.asset in scene.by_name]):
         return ()
-    assert program is not None
-    judged = _Wrong(scene, program, agents)
-    now = set(judged.of(layout))
-    told = [
-        replace(
-            move, why=tuple(text for text in judged.of(_back(scene, layout, program, move.asset)) if text not in now)
-        )
-        for move in found
-    ]
+    now = set(_wrong(scene, layout, program, agents))
+    told: list[Move] = []
+    for move in found:
+        there = _wrong(scene, _back(scene, layout, program, move.asset), program, agents)
+        told.append(replace(move, why=tuple(text for text in there if text not in now)))
     return tuple(sorted(told, key=lambda move: (-move.metres, -move.degrees, move.asset)))
 
 
@@ -98,29 +93,18 @@ def _standing_on(scene: Scene, layout: Mapping[str, Pose], name: str) -> list[st
     return sorted(below - {name})
 
 
-@dataclass(frozen=True)
-class _Wrong:
-    """Says what is wrong in layouts of a scene, in words."""
-
-    scene: Scene
-    program: Program
-    agents: tuple[Agent, ...]
-
-    def of(self, layout: Layout) -> list[str]:
-        """Return what is wrong: physics, what bodies cannot reach or use, statements that do not hold."""
-        found = list(physics(self.scene, layout).reasons)
-        for agent in self.agents:
-            found += self._out_of_reach(layout, agent)
-        for statement in self.program.statements:
-            relation = statement.relation
-            if {*relation.asset_names()} <= {*layout} and not relation.check(self.scene, layout).met:
-                found.append(f"statement {statement.number}, {relation.sentence()}, is not met")
-        return found
-
-    def _out_of_reach(self, layout: Layout, agent: Agent) -> list[str]:
-        nav = navigation(self.scene, layout, agent)
-        used = usage(self.scene, layout, agent, nav=nav).usable
-        reach, use = exempt_from_reach(self.scene, agent), exempt_from_use(self.scene, agent)
-        found = [f"{agent.name} cannot reach {name}" for name, ok in nav.reached.items() if not (ok or name in reach)]
+def _wrong(scene: Scene, layout: Layout, program: Program, agents: tuple[Agent, ...]) -> list[str]:
+    """Return what is wrong in a layout: physics, what bodies cannot reach or use, statements that do not hold."""
+    found = list(physics(scene, layout).reasons)
+    for agent in agents:
+        nav = navigation(scene, layout, agent)
+        used = usage(scene, layout, agent, nav=nav).usable
+        reach, use = exempt_from_reach(scene, agent), exempt_from_use(scene, agent)
+        found += [f"{agent.name} cannot reach {name}" for name, ok in nav.reached.items() if not (ok or name in reach)]
         unused = (name for name, ok in used.items() if nav.reached[name] and not (ok or name in use))
-        return found + [f"{agent.name} cannot use {name}" for name in unused]
+        found += [f"{agent.name} cannot use {name}" for name in unused]
+    for statement in program.statements:
+        relation = statement.relation
+        if {*relation.asset_names()} <= {*layout} and not relation.check(scene, layout).met:
+            found.append(f"statement {statement.number}, {relation.sentence()}, is not met")
+    return found

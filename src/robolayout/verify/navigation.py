@@ -1,14 +1,14 @@
 """Navigation: can a body of this radius get from the door to every asset?
 
 The agent is a disc; its free space is the room shrunk by its radius minus the obstacles grown by it (`_space.py`). What
-it can enter through the first door is the main component; every other door's landing must meet it (`doors.py`). An asset
+it can enter through the first door is the main component; every other door's landing must meet it. An asset
 is reached when its footprint lies within the agent's reach, measured in plan from the agent's centre, there or where it
 has moved a chair away that it gets to. Ceiling assets and rugs count as reached, unplaced ones never.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 
@@ -17,14 +17,30 @@ import shapely
 from shapely import MultiPolygon, Polygon
 from shapely.geometry.base import BaseGeometry
 
-from robolayout.scene import ROUNDING, Agent, Layout, Point, Scene
+from robolayout.scene import ROUNDING, Agent, Layout, Point, Room, Scene
 from robolayout.verify._boxes import Boxes, boxes, share
 from robolayout.verify._obstacles import Obstacles, obstacles
-from robolayout.verify._space import Space, disc_space, plan_distances, reached_rows, standing_distances
-from robolayout.verify.doors import ShutDoor, shut_doors
+from robolayout.verify._space import (
+    Space,
+    disc_space,
+    further_doors,
+    met,
+    plan_distances,
+    reached_rows,
+    standing_distances,
+)  # fmt: skip
 from robolayout.verify.limits import JUDGE
 from robolayout.verify.passages import Passage, find_door_passages, find_passages
 from robolayout.verify.routes import Route, entry_point, find_routes
+
+
+@dataclass(frozen=True, eq=False)
+class ShutDoor:
+    """A door that a body does not get to from the first one."""
+
+    number: int  # index of the door
+    zone: Polygon  # its landing
+    beyond: Polygon  # where the body's centre can be behind it; empty where it cannot even stand in the landing
 
 
 @dataclass(frozen=True, eq=False)
@@ -70,8 +86,16 @@ class Navigation:
 
     @cached_property
     def shut_doors(self) -> tuple[ShutDoor, ...]:
-        """Doors that the agent fits through and does not get to from the first one, though it would in the empty room."""
-        return shut_doors(self.scene.room, self.agent, self.space)
+        """Doors that the agent fits through and does not get to from the first one, though it would in the empty room.
+
+        However little floor lies behind them: what furniture cuts off is a violation.
+        """
+        room, space = self.scene.room, self.space
+        return tuple(
+            ShutDoor(number, zone, met(shapely.get_parts(space.free), zone))
+            for number, zone in further_doors(room, self.agent.radius).items()
+            if not any(misfits(room, number, self.agent)) and space.main.intersection(zone).area <= JUDGE.sliver
+        )
 
     def only_behind(self, door: ShutDoor) -> tuple[str, ...]:
         """Return the assets that are within reach from behind a shut door and from nowhere else."""
@@ -164,3 +188,12 @@ def navigation(scene: Scene, layout: Layout, agent: Agent | None = None) -> Navi
         boxes=found,
         blocking=blocking,
     )
+
+
+def misfits(room: Room, number: int, agent: Agent) -> Iterator[str]:
+    """Yield why a body does not fit through a door."""
+    door, across = room.doors[number], agent.width or 2 * agent.radius
+    if door.width < across - ROUNDING:
+        yield f"Door {number} is {door.width:.2f} m wide, {agent.name} needs {across:.2f} m: it cannot come in."
+    if door.height < agent.height - ROUNDING:
+        yield f"Door {number} is {door.height:.2f} m high, {agent.name} is {agent.height:.2f} m: it cannot come in."

@@ -23,9 +23,8 @@ from robolayout.scene import ROUNDING, Agent, Asset, Layout, Opening, Pose, Room
 from robolayout.verify._boxes import Boxes, landings, room_polygon
 from robolayout.verify._obstacles import NOTHING
 from robolayout.verify._space import disc_space, plan_distances, reached_rows
-from robolayout.verify.doors import misfits
 from robolayout.verify.limits import FINE, PhysicsLimits
-from robolayout.verify.navigation import Navigation
+from robolayout.verify.navigation import Navigation, misfits
 from robolayout.verify.passages import largest
 from robolayout.verify.use import usage
 

@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import math
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
+from importlib import import_module
+from importlib.util import find_spec
 from typing import TYPE_CHECKING, Any
 
-from robolayout.scene import Layout, Scene, layout_digest, scene_digest
+from robolayout._errors import MissingExtraError
+from robolayout.scene import Asset, Layout, Scene, layout_digest, scene_digest
 from robolayout.verify._boxes import share
 from robolayout.verify.agent_report import AgentReport, finite
 from robolayout.verify.limits import Demands
@@ -20,6 +24,8 @@ from robolayout.words import AskedRow, share_met
 
 if TYPE_CHECKING:
     from robolayout.program import Program
+
+CHECKS = ("placed", "collision_free", "in_boundary", "supported")  # the physical verdicts of an asset
 
 
 @dataclass(frozen=True)
@@ -220,9 +226,12 @@ class Report:
 
     def to_frame(self) -> Any:
         """Return a pandas DataFrame with one row per asset: pose, box, verdicts, and what each agent can do with it."""
-        from robolayout.verify.frame import report_frame
-
-        return report_frame(self)
+        if find_spec("pandas") is None:
+            raise MissingExtraError("to_frame()", "pandas", package=True)
+        pandas: Any = import_module("pandas")
+        assets = self.scene.assets
+        rows = [dict(_cells(self, asset)) for asset in assets]
+        return pandas.DataFrame(rows, index=pandas.Index([asset.name for asset in assets], name="asset"))
 
     def to_html(self) -> str:
         """Return the short table and the first things that are wrong as HTML."""
@@ -234,3 +243,19 @@ class Report:
     def __repr__(self) -> str:
         shown = ", ".join(f"{name} {value}" for name, value, _ in self.rows())
         return f"Report({'ok' if self.ok else f'{len(self.violations)} violations'}: {shown})"
+
+
+def _cells(report: Report, asset: Asset) -> Iterator[tuple[str, object]]:
+    """Yield the cells of an asset by column: metres and degrees, NaN where there is nothing."""
+    name, pose = asset.name, report.layout.get(asset.name)
+    place = (math.nan,) * 4 if pose is None else (pose.x, pose.y, pose.z, math.degrees(pose.yaw) % 360.0)
+    yield from zip(("x", "y", "z", "yaw"), place, strict=True)
+    yield from zip(("depth", "width", "height"), asset.size, strict=True)
+    yield from ((check, getattr(report.physics, check)[name]) for check in CHECKS)
+    for found in report.agents:
+        mark = f"{found.agent.name}: " if len(report.agents) > 1 else ""
+        nav = found.navigation
+        yield f"{mark}reached", nav.reached[name]
+        yield f"{mark}usable", found.usage.usable[name]
+        yield f"{mark}route", nav.routes[name].length if name in nav.routes else math.nan
+        yield f"{mark}passage", nav.passages[name].width if name in nav.passages else math.nan

@@ -9,9 +9,10 @@ from __future__ import annotations
 
 import heapq
 import math
-from collections.abc import Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Generic, TypeVar
 
 import numpy as np
 import shapely
@@ -24,6 +25,8 @@ from robolayout.verify._boxes import room_polygon
 from robolayout.verify._space import Space
 from robolayout.verify.limits import FINE
 
+Node = TypeVar("Node", int, tuple[int, int])
+Link = TypeVar("Link")
 Portal = tuple[Point, Point]  # the ends of an edge that a way crosses: left and right
 
 
@@ -78,6 +81,36 @@ def find_routes(room: Room, space: Space, goals: Mapping[str, Polygon]) -> dict[
     return result
 
 
+@dataclass(frozen=True)
+class Tree(Generic[Node, Link]):
+    """The cheapest ways from a start to some nodes."""
+
+    start: Point
+    cost: dict[Node, tuple[float, Point]]  # what each costs, and where the way comes into it
+    before: dict[Node, tuple[Node, Link]]  # from where, and by which link, the way comes into all but the first
+
+
+def cheapest(
+    source: Node, start: Point, steps: Callable[[Node, Point], Iterable[tuple[Node, Point, Link]]], each: float = 0.0
+) -> Tree[Node, Link]:
+    """Return the cheapest ways from a node; `steps` from where one is lead to further nodes, and cost their metres and `each`."""
+    tree = Tree[Node, Link](start, {source: (0.0, start)}, {})
+    queue: list[tuple[float, Node, Point]] = [(0.0, source, start)]
+    done: set[Node] = set()
+    while queue:
+        spent, node, at = heapq.heappop(queue)
+        if node in done:
+            continue
+        done.add(node)
+        for other, spot, link in steps(node, at):
+            further = spent + math.dist(at, spot) + each
+            if further < tree.cost.get(other, (math.inf,))[0]:
+                tree.cost[other] = (further, spot)
+                tree.before[other] = (node, link)
+                heapq.heappush(queue, (further, other, spot))
+    return tree
+
+
 class Mesh:
     """The triangles of a polygon and who neighbours whom."""
 
@@ -106,27 +139,17 @@ class Mesh:
                 result[rows[1]].append((rows[0], a, b))
         return result
 
-    def search(self, start: Point) -> Tree:
-        """Return the shortest ways over edge midpoints from a point to all triangles."""
-        source = int(self._tree.nearest(shapely.Point(start)))
-        tree = Tree(start, source, {source: (0.0, start)}, {})
-        queue: list[tuple[float, int, Point]] = [(0.0, source, start)]
-        done: set[int] = set()
-        while queue:
-            cost, row, at = heapq.heappop(queue)
-            if row in done:
-                continue
-            done.add(row)
-            for neighbour, a, b in self._edges[row]:
-                middle = tuple(((self._points[a] + self._points[b]) / 2).tolist())
-                further = cost + math.dist(at, middle)
-                if further < tree.cost.get(neighbour, (math.inf,))[0]:
-                    tree.cost[neighbour] = (further, middle)
-                    tree.parent[neighbour] = (row, a, b)
-                    heapq.heappush(queue, (further, neighbour, middle))
-        return tree
+    def search(self, start: Point) -> Tree[int, tuple[int, int]]:
+        """Return the shortest ways over edge midpoints from a point to all triangles; links are the edges."""
 
-    def route(self, tree: Tree, zone: Polygon) -> tuple[Point, ...]:
+        def across(row: int, _: Point) -> Iterator[tuple[int, Point, tuple[int, int]]]:
+            for neighbour, a, b in self._edges[row]:
+                x, y = ((self._points[a] + self._points[b]) / 2).tolist()
+                yield neighbour, (x, y), (a, b)
+
+        return cheapest(int(self._tree.nearest(shapely.Point(start))), start, across)
+
+    def route(self, tree: Tree[int, tuple[int, int]], zone: Polygon) -> tuple[Point, ...]:
         """Return the taut way from the tree's start into a zone."""
         last = self._nearest(tree, zone)
         target = shapely.intersection(self._triangles[last], zone)
@@ -143,16 +166,15 @@ class Mesh:
             points = _pull(tree.start, portals, last_aim)
         return points
 
-    def _portals(self, tree: Tree, row: int) -> list[Portal]:
+    def _portals(self, tree: Tree[int, tuple[int, int]], row: int) -> list[Portal]:
         """Return the edges that the way to a triangle crosses, each as (left, right)."""
         portals: list[Portal] = []
-        while row != tree.source and row in tree.parent:
-            before, a, b = tree.parent[row]
-            portals.append(self._oriented(before, a, b))
-            row = before
+        while row in tree.before:
+            row, edge = tree.before[row]
+            portals.append(self._oriented(row, *edge))
         return portals[::-1]
 
-    def _nearest(self, tree: Tree, zone: Polygon) -> int:
+    def _nearest(self, tree: Tree[int, tuple[int, int]], zone: Polygon) -> int:
         """Return the triangle through which the way into a zone is shortest."""
         rows = [row for row in np.sort(self._tree.query(zone, predicate="intersects")).tolist() if row in tree.cost]
         if not rows:  # by rounding, a zone that touches the free space meets none of its triangles
@@ -167,16 +189,6 @@ class Mesh:
         """Return an edge as (left, right), seen by somebody who leaves triangle `row` through it."""
         middle, left, right = self._middles[row], self._spots[a], self._spots[b]
         return (left, right) if _turn(middle, right, left) > 0 else (right, left)
-
-
-@dataclass(frozen=True)
-class Tree:
-    """Ways from a start to triangles: for each, cost in metres, where the way comes in, and (triangle before, edge)."""
-
-    start: Point
-    source: int
-    cost: dict[int, tuple[float, Point]]
-    parent: dict[int, tuple[int, int, int]]
 
 
 def _turn(a: Point, b: Point, c: Point) -> float:

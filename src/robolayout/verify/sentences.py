@@ -8,9 +8,8 @@ import numpy as np
 import shapely
 
 from robolayout._text import TOLD
-from robolayout.verify.doors import ShutDoor
 from robolayout.verify.limits import Demands
-from robolayout.verify.navigation import Navigation
+from robolayout.verify.navigation import Navigation, ShutDoor
 from robolayout.verify.proofs import exempt_from_reach, impossible, kept_out
 from robolayout.verify.use import Usage
 

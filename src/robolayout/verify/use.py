@@ -13,7 +13,7 @@ from __future__ import annotations
 import itertools
 import math
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
@@ -31,7 +31,7 @@ from robolayout.verify._knees import frontal, is_sat_at
 from robolayout.verify._sides import side_edge
 from robolayout.verify._space import areas
 from robolayout.verify._stances import Stances
-from robolayout.verify._swept import Swept, by_hand, handle_heights, handle_near, opens
+from robolayout.verify._swept import by_hand, handle_heights, handle_near, opens, swept
 from robolayout.verify.drives import Drive, entry
 from robolayout.verify.heading import HeadingSpace, rectangle
 from robolayout.verify.holds import find_hold
@@ -53,19 +53,24 @@ class Use:
     approach: str = ""  # "frontally" or "sideways" where a seated body works at it; empty for everything else
 
 
-@dataclass(frozen=True, eq=False)
 class Usage:
-    """Which assets an agent can use; details are worked out when first asked for."""
+    """What an agent can use in a layout; details are worked out when first asked for."""
 
-    agent: Agent  # the body
-    # by asset, whether it could stand where it uses it, however it drives there and whatever it opens
-    standing: Mapping[str, bool]
-    _judge: _Judge = field(repr=False)
+    def __init__(self, nav: Navigation) -> None:
+        self.agent, self._nav, self._found = nav.agent, nav, nav.boxes
+        self._stances, self._ways = Stances(nav), approaches(nav.boxes, nav.agent)
+        self._touched: dict[int, NDArray[np.object_]] = {}
+        self._held: dict[int, tuple[Hold, ...]] = {}
+        self._touches = self.agent.reach_distance is None and self._stances.rectangular
+        self._approach = self._approaches()
 
     @cached_property
     def usable(self) -> Mapping[str, bool]:
         """Verdict per asset."""
-        return dict(zip(self.standing, self._judge.verdicts().tolist(), strict=True))
+        usable = self._plain & self._driven
+        usable |= self._standing if self._driven.all() else self._aside(usable)
+        usable[[row for row in np.flatnonzero(usable).tolist() if self._shut(row)]] = False
+        return dict(zip(self._found.names, usable.tolist(), strict=True))
 
     @property
     def usable_share(self) -> float:
@@ -73,127 +78,100 @@ class Usage:
         return share(list(self.usable.values()))
 
     @property
-    def drives(self) -> Mapping[str, Drive] | None:
-        """How a body with a turning radius drives to what it uses, no chair moved; None for one that slides sideways."""
-        return self._judge.drives
+    def standing(self) -> Mapping[str, bool]:
+        """By asset, whether it could stand where it uses it, however it drives there and whatever it opens."""
+        return dict(zip(self._found.names, self._standing.tolist(), strict=True))
 
     @cached_property
     def undriven(self) -> tuple[str, ...]:
         """What a body with a turning radius could stand at, but finds no way to drive to."""
         unused = (row for row, usable in enumerate(self.usable.values()) if not usable)
-        return tuple(self._judge.found.names[row] for row in unused if self._judge.stranded(row) is not None)
+        return tuple(self._found.names[row] for row in unused if self._stranded(row) is not None)
 
     @property
     def headings(self) -> HeadingSpace | None:
         """Where a rectangular body gets to and turns; None for a disc."""
-        return self._judge.stances.space
+        return self._stances.space
 
     def shutting(self, name: str) -> tuple[str, ...]:
         """Return the assets that stand where a placed one needs room to open, or the body room to turn or to open it."""
-        row = self._judge.found.names.index(name)
-        found = (*self._judge.in_front.get(row, ()), *self._judge.cramping(row), *self._judge.crowding(row))
-        return tuple(blocker for blocker in dict.fromkeys(found) if blocker in self.standing)
+        row = self._found.names.index(name)
+        found = (*self._in_front.get(row, ()), *self._cramping(row), *self._crowding(row))
+        return tuple(blocker for blocker in dict.fromkeys(found) if blocker in self._found.names)
 
     def too_high(self, name: str) -> bool:
         """Return whether nothing to take hold of is at a height that the agent reaches, wherever in the plan it stands."""
-        return self._judge.too_high(self._judge.found.names.index(name))
+        row = self._found.names.index(name)
+        return self._reach(row) is None or not self._ways.of(row)
 
     @cached_property
     def uses(self) -> Mapping[str, Use]:
         """How each placed asset is used, or why not."""
-        return {name: self._judge.use(row) for row, name in enumerate(self.standing) if self._judge.found.placed[row]}
+        return {self._found.names[row]: self._use(row) for row in np.flatnonzero(self._found.placed).tolist()}
 
     @cached_property
     def holds(self) -> tuple[Hold, ...]:
         """How the body opens each door and drawer, of what it uses from the front, whose handle is at a height that it reaches."""
-        judge = self._judge
-        rows = (row for row in np.flatnonzero(judge.found.placed).tolist() if by_hand(judge.found, self.agent, row))
-        return tuple(hold for row in rows if judge.use(row).opens for hold in judge.holds(row))
-
-
-def usage(scene: Scene, layout: Layout, agent: Agent | None = None, *, nav: Navigation | None = None) -> Usage:
-    """Judge what an agent can use."""
-    judge = _Judge(nav or navigation(scene, layout, agent))
-    return Usage(judge.agent, dict(zip(judge.found.names, judge.standing.tolist(), strict=True)), judge)
-
-
-class _Judge:
-    """Looks at all assets of a layout for one body."""
-
-    def __init__(self, nav: Navigation) -> None:
-        self.agent, self.found, self.stances, self._nav = nav.agent, nav.boxes, Stances(nav), nav
-        self.ways = approaches(self.found, self.agent)
-        self._room = room_polygon(nav.scene.room)
-        self._touched: dict[int, NDArray[np.object_]] = {}
-        self._held: dict[int, tuple[Hold, ...]] = {}
-        self._used: dict[int, Use] = {}
-        self._touches = self.agent.reach_distance is None and self.stances.rectangular
-        self._approach = self._approaches()
-
-    def verdicts(self) -> NDArray[np.bool_]:
-        """Return (n,) what is usable."""
-        usable = self._plain & self._driven
-        usable |= self.standing if self._driven.all() else self._aside(usable)
-        usable[[row for row in np.flatnonzero(usable).tolist() if self._shut(row)]] = False
-        return usable
+        rows = (row for row, name in enumerate(self._found.names) if name in self.uses and self.uses[name].opens)
+        return tuple(hold for row in rows for hold in self._holds(row))
 
     @cached_property
-    def standing(self) -> NDArray[np.bool_]:
+    def _standing(self) -> NDArray[np.bool_]:
         """(n,) what the body could stand at to use it."""
         return self._plain | self._aside(self._plain)
 
     @cached_property
     def _able(self) -> NDArray[np.bool_]:
         """(m,) at which approaches nothing stands where something must open."""
-        return np.array([not self.opening_blockers(row, side) for row, side in self._each], dtype=bool)
+        return np.array([side != "front" or not self._in_front.get(row) for row, side in self._each], dtype=bool)
 
     def _aside(self, usable: NDArray[np.bool_]) -> NDArray[np.bool_]:
         """Return (n,) what a body can use once chairs are moved away, of what it cannot use yet."""
-        found, rows = np.zeros(len(usable), dtype=bool), self.ways.rows
+        found, rows = np.zeros(len(usable), dtype=bool), self._ways.rows
         for row in sorted(set(rows[self._able & ~usable[rows]].tolist())):
             of_row = np.flatnonzero(self._able & (rows == row))
-            for number, region in self.stances.opened(row)[1]:
-                here = of_row[self._faces(self.stances.heading(number))[of_row]]
-                found[row] |= bool(shapely.intersects(region, self.ways.zones[here]).any())
+            for number, region in self._stances.opened(row)[1]:
+                here = of_row[self._faces(self._stances.heading(number))[of_row]]
+                found[row] |= bool(shapely.intersects(region, self._ways.zones[here]).any())
         return found
 
     def _shut(self, row: int) -> bool:
         """Return whether an asset is used by opening it, and the body can open nothing of it."""
-        sides = [self.ways.sides[number] for number in self.ways.of(row)]
-        by_hand = bool(sides) and set(sides) == {"front"} and bool(opens(self.found, self.agent, row))
-        return by_hand and not any(hold.poses for hold in self.holds(row))
+        sides = [self._ways.sides[number] for number in self._ways.of(row)]
+        by_hand = bool(sides) and set(sides) == {"front"} and bool(opens(self._found, self.agent, row))
+        return by_hand and not any(hold.poses for hold in self._holds(row))
 
     @cached_property
     def _plain(self) -> NDArray[np.bool_]:
         """(n,) what the body could stand at to use it, no chair moved."""
-        rows, zones = self.ways.rows, self.ways.zones
-        usable, able = self.found.placed & needs_no_use(self.found), self._able
+        rows, zones = self._ways.rows, self._ways.zones
+        usable, able = self._found.placed & needs_no_use(self._found), self._able
 
         def waiting() -> NDArray[np.intp]:
             return np.flatnonzero(able & ~usable[rows])
 
         def stand(number: int, region: BaseGeometry, zones: NDArray[np.object_]) -> None:
             some = waiting()
-            some = some[self._faces(self.stances.heading(number))[some]]
+            some = some[self._faces(self._stances.heading(number))[some]]
             shapely.prepare(region)
             usable[rows[some[shapely.intersects(region, zones[some])]]] = True
 
-        for number, region in self.stances.surely():
+        for number, region in self._stances.surely():
             stand(number, region, zones)
-        if not self.stances.nowhere(zones[waiting()]).all():
-            for number, region in self.stances.everywhere:
+        if not self._stances.nowhere(zones[waiting()]).all():
+            for number, region in self._stances.everywhere:
                 stand(number, region, zones)
-        for number, region in self.stances.everywhere if self._touches and len(waiting()) else ():
+        for number, region in self._stances.everywhere if self._touches and len(waiting()) else ():
             stand(number, region, self._touching(number))
         return usable
 
     def _approaches(self) -> NDArray[np.object_]:
         """Return (m,) how a seated body works at each approach: "frontally" or "sideways"; empty where it is all one."""
-        sits = self.agent.knee_height is not None and self.stances.rectangular
+        sits = self.agent.knee_height is not None and self._stances.rectangular
         return np.array(
             [
-                ("frontally" if frontal(self.found.assets[row], side) else "sideways")
-                if sits and side and is_sat_at(self.found.assets[row])
+                ("frontally" if frontal(self._found.assets[row], side) else "sideways")
+                if sits and side and is_sat_at(self._found.assets[row])
                 else ""
                 for row, side in self._each
             ],
@@ -205,29 +183,29 @@ class _Judge:
         sideways = self._approach == "sideways"
         if not sideways.any():
             return ~sideways
-        along = self.ways.edges[:, 1] - self.ways.edges[:, 0]
+        along = self._ways.edges[:, 1] - self._ways.edges[:, 0]
         across = np.abs(along[:, 0] * math.sin(heading) - along[:, 1] * math.cos(heading)) / np.hypot(*along.T)
         return ~sideways | (across <= math.sin(JUDGE.along))
 
     @property
     def _each(self) -> Iterator[tuple[int, str]]:
-        return zip(self.ways.rows.tolist(), self.ways.sides, strict=True)
+        return zip(self._ways.rows.tolist(), self._ways.sides, strict=True)
 
     def _stands(self, row: int) -> Iterator[tuple[int, BaseGeometry, frozenset[int]]]:
         """Yield how an asset can be used: number of the approach, where the centre stands, what may have to be moved away."""
-        able = [i for i in self.ways.of(row) if not self.opening_blockers(row, self.ways.sides[i])]
-        moved, beside = self.stances.opened(row)
-        for regions, chairs in ((self.stances.everywhere, frozenset[int]()), (beside, moved)):
+        able = [i for i in self._ways.of(row) if self._able[i]]
+        moved, beside = self._stances.opened(row)
+        for regions, chairs in ((self._stances.everywhere, frozenset[int]()), (beside, moved)):
             for i, (number, region) in itertools.product(able, regions):
-                if not self._faces(self.stances.heading(number))[i]:
+                if not self._faces(self._stances.heading(number))[i]:
                     continue
-                for zones in (self.ways.zones, self._touching(number)) if self._touches else (self.ways.zones,):
+                for zones in (self._ways.zones, self._touching(number)) if self._touches else (self._ways.zones,):
                     yield i, region.intersection(zones[i]), chairs
 
     def _touching(self, number: int) -> NDArray[np.object_]:
         """Return (m,) from where the body touches each approach at a heading."""
         if number not in self._touched:
-            self._touched[number] = self.ways.touching(self.stances.body(number))
+            self._touched[number] = self._ways.touching(self._stances.body(number))
         return self._touched[number]
 
     @cached_property
@@ -236,152 +214,143 @@ class _Judge:
         from robolayout.verify.driving import Lattice
 
         room, agent = self._nav.scene.room, self.agent
-        if agent.turning_radius is None or not self.stances.rectangular:
+        if agent.turning_radius is None or not self._stances.rectangular:
             return None
         came_in = self._came_in()
         if came_in is None:
             return {}
-        return Lattice(room, self._nav.blocking, agent, came_in, self.stances.heading(0)).drives(self._places)
+        return Lattice(room, self._nav.blocking, agent, came_in, self._stances.heading(0)).drives(self._places)
 
     def _came_in(self) -> Point | None:
         """Return where the centre of a rectangular body comes in if nothing is in the way; None if it cannot."""
         room = self._nav.scene.room
         if room.doors:
             return room.walls[room.doors[0].wall].point(room.doors[0].center, (self.agent.length or 0.0) / 2)
-        space = self.stances.space
+        space = self._stances.space
         return entry(room, space.pieces[space.start]) if space is not None and space.start is not None else None
 
     @cached_property
     def _driven(self) -> NDArray[np.bool_]:
         """(n,) what the body gets to with its heading."""
         if self.drives is None:
-            return np.ones(len(self.found.names), dtype=bool)
-        return needs_no_use(self.found) | np.isin(self.found.names, list(self.drives))
+            return np.ones(len(self._found.names), dtype=bool)
+        return needs_no_use(self._found) | np.isin(self._found.names, list(self.drives))
 
-    def stranded(self, row: int) -> BaseGeometry | None:
+    def _stranded(self, row: int) -> BaseGeometry | None:
         """Return from where a body would use an asset if it found a way to drive there; None where it does, or has no place."""
         stands = () if self._driven[row] else self._stands(row)
         return next((places for _, places, chairs in stands if not chairs and not places.is_empty), None)
 
-    def cramping(self, row: int) -> tuple[str, ...]:
+    def _cramping(self, row: int) -> tuple[str, ...]:
         """Return what stands within the turning circle of a body that finds no way to where it would use an asset."""
-        places, blocking = self.stranded(row), self._nav.blocking
+        places, blocking = self._stranded(row), self._nav.blocking
         if places is None:
             return ()
         circle = max(self.agent.circumradius, (self.agent.turning_diameter or 0.0) / 2)
-        spot = shapely.get_point(shapely.shortest_line(places, self.found.footprints[row].centroid), 0)
-        near = blocking.rows[shapely.distance(blocking.shapes, spot) < circle]
-        return tuple(self.found.names[other] for other in np.unique(near) if other != row)
+        spot = shapely.get_point(shapely.shortest_line(places, self._found.footprints[row].centroid), 0)
+        return self._others(row, shapely.distance(blocking.shapes, spot) < circle)
 
     def _places(self, heading: float) -> tuple[Sequence[str], NDArray[np.object_]]:
         """Return from where the body uses what at a heading in radians: (m,) names and zones, nothing where it cannot."""
-        zones = self.ways.zones
+        zones = self._ways.zones
         if self._touches:
-            zones = shapely.union(zones, self.ways.touching(rectangle(self.agent, heading)))
+            zones = shapely.union(zones, self._ways.touching(rectangle(self.agent, heading)))
         found = zones.copy()
         found[~(self._able & self._faces(heading))] = Polygon()
-        return [self.found.names[row] for row in self.ways.rows.tolist()], found
-
-    def opening_blockers(self, row: int, side: str) -> tuple[str, ...]:
-        """Return what stands in the depth that an asset needs in front to be opened: names, or "the wall"."""
-        return self.in_front.get(row, ()) if side == "front" else ()
+        return [self._found.names[row] for row in self._ways.rows.tolist()], found
 
     @cached_property
-    def in_front(self) -> Mapping[int, tuple[str, ...]]:
+    def _in_front(self) -> Mapping[int, tuple[str, ...]]:
         """What keeps assets from being opened, by row."""
-        found = self.found
-        fronts = np.array([side == "front" for side in self.ways.sides], dtype=bool)
-        swept = Swept.of(found, self.ways.rows[fronts].tolist())
-        rows, zones = swept.rows, swept.zones
-        shapely.prepare((self._room, *zones))
+        found = self._found
+        rows, zones, heights = swept(found, (row for row, side in self._each if side == "front"))
+        room = room_polygon(self._nav.scene.room)
+        shapely.prepare((room, *zones))
         blockers = {row: list[str]() for row in rows.tolist()}
-        for k in np.flatnonzero(~shapely.covers(self._room, zones)).tolist():
-            if zones[k].difference(self._room).area > JUDGE.area:
+        for k in np.flatnonzero(~shapely.covers(room, zones)).tolist():
+            if zones[k].difference(room).area > JUDGE.area:
                 blockers[int(rows[k])].append("the wall")
         others = np.flatnonzero(found.placed & ~found.flat & ~found.movable)
+        low, high = np.maximum(found.bottom[others], heights[:, :1]), np.minimum(found.top[others], heights[:, 1:])
         near = (
-            np.minimum(found.top[others], swept.top[:, None]) - np.maximum(found.bottom[others], swept.bottom[:, None])
-            > 0.01
+            (high - low > 0.01)
+            & shapely.intersects(zones[:, None], found.footprints[others])
+            & (others != rows[:, None])
         )
-        near &= shapely.intersects(zones[:, None], found.footprints[others]) & (others != rows[:, None])
         at, what = np.nonzero(near)
         inside = shared_area(found.footprints[others[what]], zones[at]) > JUDGE.area
         for k, other in zip(at[inside].tolist(), others[what[inside]].tolist(), strict=True):
             blockers[int(rows[k])].append(found.names[other])
         return {row: tuple(dict.fromkeys(names)) for row, names in blockers.items()}
 
-    def use(self, row: int) -> Use:
-        """Return how an asset is used, or why not."""
-        if row not in self._used:
-            self._used[row] = self._explained(row)
-        return self._used[row]
-
-    def _explained(self, row: int) -> Use:
-        name = self.found.names[row]
-        if needs_no_use(self.found)[row]:
+    def _use(self, row: int) -> Use:
+        name = self._found.names[row]
+        if needs_no_use(self._found)[row]:
             return Use(name, True, "", None, "")
         ways = (way for way in self._stands(row) if not way[1].is_empty and (way[2] or self._driven[row]))
         way = next(ways, None)
         if way is None or self._shut(row):
             return Use(name, False, "", None, self._reason(row))
         number, places, chairs = way
-        side = self.ways.sides[number]
-        target = side_edge(self.found.footprints[row], side) if side else self.found.footprints[row]
+        side = self._ways.sides[number]
+        target = side_edge(self._found.footprints[row], side) if side else self._found.footprints[row]
         spot = shapely.get_coordinates(shapely.shortest_line(places, target.centroid))[0]
         near = shapely.Point(spot).buffer(self.agent.circumradius)
-        moved = [i for i in sorted(chairs) if near.intersects(self.found.footprints[i])] or sorted(chairs)
-        names = tuple(self.found.names[i] for i in moved)
+        moved = [i for i in sorted(chairs) if near.intersects(self._found.footprints[i])] or sorted(chairs)
+        names = tuple(self._found.names[i] for i in moved)
         place = (float(spot[0]), float(spot[1]))
-        handle = handle_near(self.found, self.agent, row, place) if side == "front" else ""
+        handle = handle_near(self._found, self.agent, row, place) if side == "front" else ""
         return Use(name, True, side, place, "", names, handle, self._approach[number])
 
-    def holds(self, row: int) -> tuple[Hold, ...]:
+    def _holds(self, row: int) -> tuple[Hold, ...]:
         """Return how the body opens each door and drawer whose handle is at a height that it reaches."""
         if row in self._held:
             return self._held[row]
-        moved, beside = self.stances.opened(row)
-        chairs, place = tuple(self.found.names[i] for i in sorted(moved)), self.found.where(row)[1]
-        before = self.ways.zone(next(i for i in self.ways.of(row) if self.ways.sides[i] == "front"), JUDGE.far)
+        moved, beside = self._stances.opened(row)
+        chairs, place = tuple(self._found.names[i] for i in sorted(moved)), self._found.where(row)[1]
+        before = self._ways.zone(next(i for i in self._ways.of(row) if self._ways.sides[i] == "front"), JUDGE.far)
         regions = [
-            (self.stances.heading(number) - place[3], out_of_room(areas(region & before), place), aside)
-            for places, aside in ((self.stances.everywhere, ()), (beside, chairs))
+            (self._stances.heading(number) - place[3], out_of_room(areas(region & before), place), aside)
+            for places, aside in ((self._stances.everywhere, ()), (beside, chairs))
             for number, region in places
         ]
         self._held[row] = tuple(
-            find_hold(self.found, self.agent, row, joint, reach + ROUNDING, regions)
-            for joint, reach in by_hand(self.found, self.agent, row)
+            find_hold(self._found, self.agent, row, joint, reach + ROUNDING, regions)
+            for joint, reach in by_hand(self._found, self.agent, row)
         )
         return self._held[row]
 
-    def crowding(self, row: int) -> tuple[str, ...]:
+    def _crowding(self, row: int) -> tuple[str, ...]:
         """Return what stands where a body would open what of an asset stays shut: as far ahead as that sweeps and it is wide."""
         if all(hold.poses for hold in self._held.get(row, ())):
             return ()
-        asset, place = self.found.where(row)
+        asset, place = self._found.where(row)
         deep = max(sweep.region.bounds[2] for sweep in sweeps_of(asset)) + 2 * self.agent.radius
         strip = in_room(shapely.box(asset.size[0] / 2, -asset.size[1] / 2, deep, asset.size[1] / 2), place)
-        near = self._nav.blocking.rows[shapely.intersects(self._nav.blocking.shapes, strip)]
-        return tuple(self.found.names[other] for other in np.unique(near) if other != row)
+        return self._others(row, shapely.intersects(self._nav.blocking.shapes, strip))
 
-    def too_high(self, row: int) -> bool:
-        height = float(self.found.bottom[row]), float(self.found.top[row])
-        return horizontal_reach(self.agent, *height) is None or not self.ways.of(row)
+    def _others(self, row: int, near: NDArray[np.bool_]) -> tuple[str, ...]:
+        """Return the assets, one aside, of which such obstacles are parts."""
+        return tuple(self._found.names[other] for other in np.unique(self._nav.blocking.rows[near]) if other != row)
+
+    def _reach(self, row: int) -> float | None:
+        """Return how far the agent reaches at an asset's height in metres."""
+        return horizontal_reach(self.agent, float(self._found.bottom[row]), float(self._found.top[row]))
 
     def _reason(self, row: int) -> str:
-        agent, found = self.agent, self.found
-        bottom, top = float(found.bottom[row]), float(found.top[row])
-        reach = horizontal_reach(agent, bottom, top)
+        agent, found = self.agent, self._found
+        reach = self._reach(row)
         if reach is None:
-            return _height_reason(agent, bottom, top)
-        numbers = self.ways.of(row)
+            return _height_reason(agent, float(found.bottom[row]), float(found.top[row]))
+        numbers = self._ways.of(row)
         if not numbers:
             low, high = handle_heights(found, agent, row)
             return f"its handles lie {low:.2f} to {high:.2f} m high, reach is from {agent.reach_low:.2f} to {agent.reach_high:.2f} m"
-        if blockers := self.in_front.get(row):
+        if blockers := self._in_front.get(row):
             return f"its front has no room to open: {' and '.join(blockers)} in the way"
-        sides = " or ".join(self.ways.sides[i] for i in numbers if self.ways.sides[i]) or "edge"
-        if self.stranded(row) is not None:
-            near = " and ".join(self.cramping(row))
+        sides = " or ".join(self._ways.sides[i] for i in numbers if self._ways.sides[i]) or "edge"
+        if self._stranded(row) is not None:
+            near = " and ".join(self._cramping(row))
             return f"it could stand at its {sides}, but finds no way to drive there{near and f': {near} leave no room to turn'}"
         if row in self._held:
             return "there is no place from which it could hold any of its doors and drawers until that is open"
@@ -398,14 +367,19 @@ class _Judge:
 
     def _nearest(self, row: int, number: int) -> float:
         """Return metres from an approach to the nearest place to stand beyond it (or to a body that only touches)."""
-        zone, target = self.ways.zone(number, JUDGE.far), self.ways.target(number)
+        zone, target = self._ways.zone(number, JUDGE.far), self._ways.target(number)
         away = math.inf
-        for heading, region in (*self.stances.everywhere, *self.stances.opened(row)[1]):
+        for heading, region in (*self._stances.everywhere, *self._stances.opened(row)[1]):
             place = region.intersection(zone)
             if not place.is_empty:
-                there = self.ways.swept(self.stances.body(heading))[number] if self._touches else target
+                there = self._ways.swept(self._stances.body(heading))[number] if self._touches else target
                 away = min(away, place.distance(there))
         return away
+
+
+def usage(scene: Scene, layout: Layout, agent: Agent | None = None, *, nav: Navigation | None = None) -> Usage:
+    """Judge what an agent can use."""
+    return Usage(nav or navigation(scene, layout, agent))
 
 
 def _height_reason(agent: Agent, bottom: float, top: float) -> str:

@@ -6,9 +6,7 @@ boxes, not with scans. The functional sides that SceneEval asks a language model
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass
-from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -18,8 +16,8 @@ from shapely import Polygon
 from shapely.geometry.base import BaseGeometry
 
 from robolayout._grid import components
-from robolayout.assets import category_of
 from robolayout.scene import Layout, Opening, Room, Scene
+from robolayout.verify._approaches import use_sides
 from robolayout.verify._boxes import Boxes, boxes, room_polygon, share
 from robolayout.verify._sides import side_edge, strip
 from robolayout.verify.metrics._raster import raster
@@ -44,51 +42,25 @@ class SceneEvalConfig:
 SCENEEVAL = SceneEvalConfig()
 
 
-@dataclass(frozen=True)
-class SceneEval:
-    """SceneEval's figures of one layout."""
+def sceneeval(scene: Scene, layout: Layout) -> dict[str, float]:
+    """Return SceneEval's figures of a layout under their names.
 
-    col_objects: float  # share of objects in collision
-    col_scene: bool  # whether any object is in collision
-    nav: float  # largest free component over all free pixels
-    acc: Mapping[str, float]  # accessibility by object; -1 where it has no functional side
-    oob_objects: float  # share of objects out of bounds
-    sup_objects: float  # share of objects that are supported
-    opening_occlusion: tuple[float, ...]  # occluded share of each opening, doors first
-
-    @cached_property
-    def acc_mean(self) -> float:
-        """Mean accessibility of the objects that have a functional side."""
-        scores = [score for score in self.acc.values() if score >= 0]
-        return float(np.mean(scores)) if scores else 1.0
-
-    def to_dict(self) -> dict[str, float]:
-        """Return the figures under SceneEval's names."""
-        return {
-            "COL": self.col_objects,
-            "COL_scene": float(self.col_scene),
-            "NAV": self.nav,
-            "ACC": self.acc_mean,
-            "OOB": self.oob_objects,
-            "SUP": self.sup_objects,
-            "opening_clearance": share([occlusion == 0 for occlusion in self.opening_occlusion]),
-        }
-
-
-def sceneeval(scene: Scene, layout: Layout) -> SceneEval:
-    """Measure a layout by SceneEval's rules."""
+    COL, OOB and SUP are shares of objects, NAV is the largest free component over all free pixels, ACC the mean over the objects
+    that have a functional side, `opening_clearance` the share of doors and windows that nothing hides.
+    """
     found = boxes(scene, layout)
-    rows = np.flatnonzero(found.placed)
-    hit = colliding(found)
-    return SceneEval(
-        col_objects=len(hit) / len(rows) if len(rows) else 0.0,
-        col_scene=bool(hit),
-        nav=_nav(scene.room, found),
-        acc={found.names[row]: score for row, score in zip(rows, _accessibility(scene, found), strict=True)},
-        oob_objects=float(np.mean([out_of_bounds(scene, found, int(row)) for row in rows])) if len(rows) else 0.0,
-        sup_objects=share([supported(scene, found, int(row)) for row in rows]),
-        opening_occlusion=tuple(_occlusion(scene.room, o, found) for o in (*scene.room.doors, *scene.room.windows)),
-    )
+    rows = np.flatnonzero(found.placed).tolist()
+    hit, scores = colliding(found), accessibility(scene, found)
+    hidden = [occlusion(scene.room, opening, found) for opening in (*scene.room.doors, *scene.room.windows)]
+    return {
+        "COL": len(hit) / len(rows) if rows else 0.0,
+        "COL_scene": float(bool(hit)),
+        "NAV": _nav(scene.room, found),
+        "ACC": float(np.mean(list(scores.values()))) if scores else 1.0,
+        "OOB": float(np.mean([out_of_bounds(scene, found, row) for row in rows])) if rows else 0.0,
+        "SUP": share([supported(scene, found, row) for row in rows]),
+        "opening_clearance": share([part == 0 for part in hidden]),
+    }
 
 
 def colliding(found: Boxes) -> set[str]:
@@ -142,20 +114,17 @@ def _obstacles(found: Boxes) -> NDArray[np.intp]:
     return np.flatnonzero(found.placed & ((found.bottom + found.top) / 2 <= SCENEEVAL.high))
 
 
-def _accessibility(scene: Scene, found: Boxes) -> list[float]:
-    """Return for each placed object the best free share of the rectangles in front of its functional sides."""
+def accessibility(scene: Scene, found: Boxes) -> dict[str, float]:
+    """Return for each placed object with a functional side the best free share of the rectangles in front of those."""
     picture = raster(scene.room, 0.0)
-    obstacles = [int(row) for row in _obstacles(found)]
-    covered = {row: picture.mask(found.footprints[row]) for row in obstacles}
+    covered = {row: picture.mask(found.footprints[row]) for row in map(int, _obstacles(found))}
     count = np.sum(list(covered.values()), axis=0) if covered else np.zeros_like(picture.floor, dtype=int)
-    scores: list[float] = []
+    scores: dict[str, float] = {}
     for row in np.flatnonzero(found.placed).tolist():
-        asset = scene.assets[row]
-        others = count - covered[row] if row in covered else count
-        free = picture.floor & (others == 0)
-        sides = category_of(asset).use_sides if asset.use_sides is None else asset.use_sides
-        zones = [picture.mask(_side_zone(found.footprints[row], side)) for side in sides]
-        scores.append(max((float(free[zone].mean()) if zone.any() else 0.0 for zone in zones), default=-1.0))
+        free = picture.floor & (count - covered.get(row, 0) == 0)
+        zones = [picture.mask(_side_zone(found.footprints[row], side)) for side in use_sides(found.assets)[row]]
+        if zones:
+            scores[found.names[row]] = max(float(free[zone].mean()) if zone.any() else 0.0 for zone in zones)
     return scores
 
 
@@ -166,13 +135,13 @@ def _side_zone(footprint: Polygon, side: str) -> BaseGeometry:
     )
 
 
-def out_of_bounds(scene: Scene, found: Boxes, row: int, seed: int = 0) -> bool:
+def out_of_bounds(scene: Scene, found: Boxes, row: int) -> bool:
     """Tell whether less than 99 % of random points on an object's box lie above the floor."""
     depth, width, height = scene.assets[row].size
     count = int(
         min(max(SCENEEVAL.points_per_volume * depth * width * height, SCENEEVAL.least_points), SCENEEVAL.most_points)
     )
-    rng = np.random.default_rng(seed)
+    rng = np.random.default_rng(0)
     areas = np.array([width * height, depth * height, depth * width])
     axis = rng.choice(3, size=count, p=areas / areas.sum())
     points = rng.uniform(-0.5, 0.5, (count, 3))
@@ -184,7 +153,7 @@ def out_of_bounds(scene: Scene, found: Boxes, row: int, seed: int = 0) -> bool:
     return float(inside.mean()) < 0.99
 
 
-def _occlusion(room: Room, opening: Opening, found: Boxes) -> float:
+def occlusion(room: Room, opening: Opening, found: Boxes) -> float:
     """Return the share of an opening that objects in its clearance hide, seen along the wall's normal."""
     wall = room.walls[opening.wall]
     depth = SCENEEVAL.window_depth if opening.sill > 0 else opening.width

@@ -11,13 +11,13 @@ import tomllib
 from importlib.resources import files
 
 from robolayout.verify.agent_report import AgentReport
-from robolayout.verify.rules import _places, _ways
+from robolayout.verify.rules import _measures
 from robolayout.verify.rules._rule import Rule
 from robolayout.verify.rules._rule import RuleResult as RuleResult
 
 _DATA = tomllib.loads((files(__name__) / "rules.toml").read_text(encoding="utf-8"))
 
-RULES = tuple(Rule(name, (vars(_places) | vars(_ways))[name], **entry) for name, entry in _DATA.items())
+RULES = tuple(Rule(name, vars(_measures)[name], **entry) for name, entry in _DATA.items())
 """All named rules, in the order of the report; each is measured by the function of its name."""
 
 

@@ -1,9 +1,9 @@
-"""Rules of ways: how wide routes and doors are, where one can turn and pass."""
+"""What the named rules measure: ways, doors, where one can turn and pass; clear floor, heights within reach, room for knees."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 
 import numpy as np
 import shapely
@@ -11,8 +11,12 @@ from numpy.typing import NDArray
 from shapely import LineString
 from shapely.geometry.base import BaseGeometry
 
+from robolayout.assets import category_of
 from robolayout.verify._ada import ADA
+from robolayout.verify._approaches import needs_no_use, use_sides
 from robolayout.verify._boxes import corners, room_polygon
+from robolayout.verify._knees import is_sat_at, knee_width
+from robolayout.verify._sides import SIDES, side_edge, strip
 from robolayout.verify._space import Space, disc_space, plan_distances, reached_rows
 from robolayout.verify.agent_report import AgentReport
 from robolayout.verify.heading import convex_places
@@ -112,20 +116,19 @@ def _length(line: LineString, solid: BaseGeometry) -> float:
     return float((width < ADA.route - ADA.close).sum()) * ADA.fine
 
 
-def door_width(body: AgentReport) -> Measured | None:
-    """Measure the narrowest door."""
+def door_width(body: AgentReport, least: float = ADA.pinch) -> Measured | None:
+    """Measure the narrowest door, in metres."""
     doors = body.navigation.scene.room.doors
     if not doors:
         return None
     number = min(range(len(doors)), key=lambda i: doors[i].width)
     width = doors[number].width
-    return Measured(width >= ADA.pinch - 1e-9, width, f"door {number} is {width:.2f} m wide")
+    return Measured(width >= least - 1e-9, width, f"door {number} is {width:.2f} m wide")
 
 
 def door_width_iso(body: AgentReport) -> Measured | None:
     """Measure the narrowest door against 0.80 m."""
-    found = door_width(body)
-    return None if found is None else Measured(found.value >= 0.8 - 1e-9, found.value, found.text)
+    return door_width(body, 0.8)
 
 
 def turning_space(body: AgentReport) -> Measured:
@@ -134,22 +137,16 @@ def turning_space(body: AgentReport) -> Measured:
     if largest >= ADA.circle:
         return Measured(True, largest, f"a circle of {ADA.circle} m is free")
     if _has_t(body.navigation):
-        return Measured(
-            True,
-            ADA.circle,
-            f"a T-shaped space in a square of {ADA.circle} m is free; the largest circle is {largest:.2f} m",
-        )
+        text = f"a T-shaped space in a square of {ADA.circle} m is free; the largest circle is {largest:.2f} m"
+        return Measured(True, ADA.circle, text)
     return Measured(False, largest, f"the largest free circle is {largest:.2f} m, and there is no T-shaped space")
 
 
 def turning_space_iso(body: AgentReport) -> Measured:
     """Measure the largest circle to turn in against 1.50 m."""
     largest = _largest_circle(body.navigation)
-    text = (
-        f"a circle of {ADA.circle} m is free"
-        if largest >= ADA.circle
-        else f"the largest free circle is {largest:.2f} m"
-    )
+    whole = largest >= ADA.circle
+    text = f"a circle of {ADA.circle} m is free" if whole else f"the largest free circle is {largest:.2f} m"
     return Measured(largest >= 1.5 - ADA.fine, largest, text)
 
 
@@ -171,15 +168,19 @@ def _has_t(nav: Navigation) -> bool:
     first = math.atan2(wall[1], wall[0])
     for turn in range(ADA.turns):
         heading = first + turn * 2 * math.pi / ADA.turns
-        bar = corners(np.array([[0.0, 0.0, 0.0, heading]]), np.array([[ADA.arm, ADA.circle]]))[0]
         depth = ADA.arm / 2 + ADA.base
-        ahead = depth / 2 * np.array([math.cos(heading), math.sin(heading)])
-        base = corners(np.array([[*ahead, 0.0, heading]]), np.array([[depth, ADA.arm]]))[0]
+        bar = _box(0.0, 0.0, heading, ADA.arm, ADA.circle)
+        base = _box(depth / 2 * math.cos(heading), depth / 2 * math.sin(heading), heading, depth, ADA.arm)
         places = shapely.union_all(convex_places(room, shapes, bar))
         places = places.intersection(shapely.union_all(convex_places(room, shapes, -base)))
         if places.intersects(nav.main):
             return True
     return False
+
+
+def _box(x: float, y: float, heading: float, depth: float, width: float) -> NDArray[np.float64]:
+    """Return the corners (4, 2) of a rectangle around a place, turned by a heading in radians."""
+    return corners(np.array([[x, y, 0.0, heading]]), np.array([[depth, width]]))[0]
 
 
 def passing_space(body: AgentReport) -> Measured | None:
@@ -190,3 +191,128 @@ def passing_space(body: AgentReport) -> Measured | None:
     longest = max(route.length for route in routes.values())
     wide = longest <= ADA.interval or set(routes) <= _reached_by(body.navigation, ADA.circle)
     return Measured(wide, longest, f"the longest way is {longest:.1f} m")
+
+
+def _asked(body: AgentReport) -> Iterator[int]:
+    """Yield the rows of the placed things that the body is asked to use."""
+    found = body.navigation.boxes
+    for row in np.flatnonzero(found.placed & ~needs_no_use(found)).tolist():
+        if found.names[row] not in body.exempt:
+            yield row
+
+
+def _all(count: int) -> str:
+    return "the one thing" if count == 1 else f"all {count} things"
+
+
+def _listed(names: list[str]) -> str:
+    return ", ".join(names[: ADA.named]) + (f" and {len(names) - ADA.named} more" if len(names) > ADA.named else "")
+
+
+def floor_space(body: AgentReport) -> Measured | None:
+    """Count the furniture on the floor beside which no clear floor space adjoins a side that it is used from."""
+    nav, found = body.navigation, body.navigation.boxes
+    standing = (found.carriers < 0) & ~found.movable
+    rows = [row for row in _asked(body) if standing[row] and found.assets[row].on_floor]
+    if not rows:
+        return None
+    sides = use_sides(found.assets)
+    short = [nav.boxes.names[r] for r in rows if not any(_has_floor(body, r, side, ways=(0, 1)) for side in sides[r])]
+    text = f"none at {_listed(short)}" if short else f"at {_all(len(rows))}"
+    return Measured(not short, float(len(short)), text)
+
+
+def _has_floor(body: AgentReport, row: int, side: str, ways: tuple[int, ...]) -> bool:
+    """Tell whether a clear floor space adjoins a side where the body gets to; `ways` 0: parallel to it, 1: straight towards it."""
+    nav = body.navigation
+    away = nav.blocking.moved_for(nav.boxes, row)
+    rest = nav.blocking.of(set(nav.blocking.rows.tolist()) - away)
+    edge = side_edge(nav.boxes.footprints[row], side)
+    near = rest.shapes[shapely.dwithin(rest.shapes, edge, sum(ADA.floor))]
+    (ax, ay), (bx, by) = edge.coords
+    length = math.hypot(bx - ax, by - ay)
+    out = np.array([by - ay, ax - bx]) / length
+    heading = math.atan2(out[1], out[0])
+    for way in ways:
+        depth, width = ADA.floor[way], ADA.floor[1 - way]
+        space = _box(0.0, 0.0, heading, depth - ADA.contact, width - ADA.contact)
+        middle = LineString(np.array([[ax, ay], [bx, by]]) + out * depth / 2)
+        for place in convex_places(nav.scene.room, near, space):
+            there: BaseGeometry = middle.intersection(place.buffer(ADA.contact))
+            if not there.is_empty and there.distance(nav.main) <= ADA.floor[1] / 2 + nav.space.radius:
+                return True
+    return False
+
+
+def bed_transfer(body: AgentReport) -> Measured | None:
+    """Measure on how many sides of a bed there is a clear floor space along it; one between two beds is enough."""
+    found = body.navigation.boxes
+    beds = [row for row in np.flatnonzero(found.placed).tolist() if _is_bed(body, row)]
+    if not beds:
+        return None
+    best: list[tuple[int, str]] = []
+    for row in beds:
+        sides = [side for side in ("left", "right") if _has_floor(body, row, side, ways=(0,))]
+        text = f"{found.names[row]} has it on {len(sides)} of 2 sides"
+        if len(sides) < 2 and any(_another_bed(body, row, side, beds) for side in sides):
+            best.append((2, f"{text}, between two beds"))
+        best.append((len(sides), text))
+    count, text = max(best, key=lambda entry: entry[0])
+    return Measured(count == 2, float(count), text)
+
+
+def _is_bed(body: AgentReport, row: int) -> bool:
+    kind = category_of(body.navigation.boxes.assets[row])
+    lying = kind.group in ("sleeping", "care") and kind.name.split()[-1] == "bed"
+    return lying and {"left", "right"} <= set(kind.use_sides)
+
+
+def _another_bed(body: AgentReport, row: int, side: str, beds: list[int]) -> bool:
+    feet = body.navigation.boxes.footprints
+    beside = strip(side_edge(feet[row], side), ADA.between)
+    return any(other != row and feet[other].intersects(beside) for other in beds)
+
+
+def reach_range(body: AgentReport) -> Measured | None:
+    """Measure by how much the things to use end below or begin above the reach of somebody who sits."""
+    found = body.navigation.boxes
+    beyond = {found.names[row]: max(ADA.low - found.top[row], found.bottom[row] - ADA.high) for row in _asked(body)}
+    if not beyond:
+        return None
+    out = [name for name, metres in beyond.items() if metres > ADA.contact]
+    worst = max(0.0, *beyond.values()) if out else 0.0
+    text = f"beyond it by up to {worst:.2f} m: {_listed(out)}" if out else _all(len(beyond))
+    return Measured(not out, float(worst), text)
+
+
+def reach_over(body: AgentReport) -> Measured | None:
+    """Measure how far over the edge of what carries them things stand, and how high."""
+    found = body.navigation.boxes
+    rows = [row for row in _asked(body) if found.carriers[row] >= 0]
+    if not rows:
+        return None
+    out: list[str] = []
+    deepest = 0.0
+    for row in rows:
+        carrier = int(found.carriers[row])
+        depth = float(found.footprints[row].distance(found.footprints[carrier].exterior))
+        high = ADA.high if depth <= ADA.full_depth else ADA.high_over
+        deepest = max(deepest, depth)
+        if (
+            depth > ADA.over_depth
+            or found.top[carrier] > ADA.over_height + ADA.contact
+            or found.bottom[row] > high + ADA.contact
+        ):
+            out.append(found.names[row])
+    text = f"too far or too high: {_listed(out)}" if out else f"{_all(len(rows))} on tops"
+    return Measured(not out, deepest, text)
+
+
+def knee_room(body: AgentReport) -> Measured | None:
+    """Measure the widest room for knees and toes under what chairs stand at, from its shape."""
+    found = body.navigation.boxes
+    rows = [row for row in _asked(body) if found.chairs_at(row) and is_sat_at(found.assets[row])]
+    if not rows:
+        return None
+    width, name = max((max(knee_width(found.assets[row], side) for side in SIDES), found.names[row]) for row in rows)
+    return Measured(width >= ADA.knee_width - ADA.contact, width, f"{width:.2f} m wide under {name}, by its shape")
