@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from scipy.optimize import linear_sum_assignment
 
-from robolayout.constraints._assignment import assignment
+from robolayout.constraints.around import assignment
 
 
 @pytest.mark.parametrize("ties", [False, True])

@@ -140,6 +140,11 @@ class Outcome:
     unit: str  # unit of both ("m", "deg", "m2", "")
     text: str  # the measurement as part of a sentence ("back edge 0.02 m from walls[2], front 1 deg off")
 
+    @classmethod
+    def at_most(cls, limit: float, value: float, unit: str, text: str) -> Outcome:
+        """Return what was measured of a figure that holds up to a limit."""
+        return cls(value <= limit, value, limit, unit, text)
+
 
 def argument(*takes: str, many: bool = False, unit: str = "", choices: tuple[str, ...] = (), **options: Any) -> Any:
     """Declare an argument of a relation.

@@ -31,4 +31,4 @@ class Above(Relation):
         pose = layout[self.a.name]
         u, v = frame(scene, layout, self.b).point(pose.x, pose.y)
         off = max(0.0, u - hx, -hx - TOLERANCE.behind - u, abs(v) - hy)
-        return Outcome(off <= TOLERANCE.gap, off, TOLERANCE.gap, "m", f"{off:.2f} m beside the place over {self.b}")
+        return Outcome.at_most(TOLERANCE.gap, off, "m", f"{off:.2f} m beside the place over {self.b}")

@@ -46,4 +46,4 @@ class AlignWith(Relation):
             return best_way(self.ways(scene), scene, layout)[1]
         wanted = frame(scene, layout, self.b).yaw + math.radians(self.angle)
         off = angle_between(layout[self.a.name].yaw, wanted)
-        return Outcome(off <= TOLERANCE.angle, off, TOLERANCE.angle, "deg", f"heading {off:.0f} deg off")
+        return Outcome.at_most(TOLERANCE.angle, off, "deg", f"heading {off:.0f} deg off")

@@ -7,7 +7,6 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from itertools import combinations
 
-from robolayout.constraints._assignment import assignment
 from robolayout.constraints._exact import TOLERANCE, facing_error, footprint, frame, half_size
 from robolayout.constraints._refs import AssetRef
 from robolayout.constraints._relation import FrameTerm, Interval, Outcome, Relation, Term, argument
@@ -34,7 +33,12 @@ SEATING = Seating()
 
 def left_gap(scene: Scene, items: Sequence[AssetRef], b: AssetRef, slots: Callable[[float], Sequence[Slot]]) -> float:
     """Return the gap at which people leave seats at a table: less than 0 where they go under, `SEATING.usual` where they do not."""
-    return _left_gap(tuple(scene.by_name[item.name] for item in items), scene.by_name[b.name], slots)
+    seats, table = [scene.by_name[item.name] for item in items], scene.by_name[b.name]
+    for tuck in SEATING.tucked:
+        places = list(zip(seats, slots(-tuck), strict=False))
+        if not any(_meeting(table, places, lift) for lift in (0.0, SEATING.spare)):
+            return -tuck
+    return SEATING.usual
 
 
 def _meeting(table: Asset, places: Sequence[tuple[Asset, Slot]], lift: float) -> bool:
@@ -42,15 +46,6 @@ def _meeting(table: Asset, places: Sequence[tuple[Asset, Slot]], lift: float) ->
     there = [(table, Pose(0.0, 0.0, table.size[2] / 2, 0.0))]
     there += [(seat, Pose(x, y, seat.size[2] / 2 + lift, yaw)) for seat, (x, y, yaw) in places]
     return any(prisms_meet(one, other, SEATING.spare) for one, other in combinations(there, 2))
-
-
-def _left_gap(seats: tuple[Asset, ...], table: Asset, slots: Callable[[float], Sequence[Slot]]) -> float:
-    """Return the first gap at which no seat meets the table or another seat."""
-    for tuck in SEATING.tucked:
-        places = list(zip(seats, slots(-tuck), strict=False))
-        if not any(_meeting(table, places, lift) for lift in (0.0, SEATING.spare)):
-            return -tuck
-    return SEATING.usual
 
 
 def _side_slots(count: int, side: str, table: tuple[float, float], depth: float, gap: float) -> list[Slot]:
@@ -135,3 +130,39 @@ class Around(Relation):
         turned = max(facing_error(scene, layout, item, self.b) for item in self.items)
         met = max(gaps) <= limit + TOLERANCE.gap and turned <= TOLERANCE.angle
         return Outcome(met, max(gaps), limit, "m", f"up to {max(gaps):.2f} m from {self.b}, up to {turned:.0f} deg off")
+
+
+def assignment(costs: Sequence[Sequence[float]]) -> list[int]:
+    """Return a column for each row, no column twice, so that the sum of the costs is smallest.
+
+    The shortest augmenting path algorithm: rows come one by one, and each takes the cheapest chain of exchanges. For the few
+    seats of a table this is done before SciPy, which has the same, is even imported. The costs (things, places) are finite, and
+    there are at least as many places as things.
+    """
+    places = len(costs[0]) if costs else 0
+    price, worth = [0.0] * places, [0.0] * len(costs)
+    taker = [-1] * places
+    for row in range(len(costs)):
+        best, before, seen = [math.inf] * places, [-1] * places, [False] * places
+        here, place = row, -1
+        while True:
+            for j in range(places):
+                extra = costs[here][j] - worth[here] - price[j] + (0.0 if place < 0 else best[place])
+                if not seen[j] and extra < best[j]:
+                    best[j], before[j] = extra, place
+            place = min((j for j in range(places) if not seen[j]), key=best.__getitem__)
+            seen[place] = True
+            if taker[place] < 0:
+                break
+            here = taker[place]
+        shortest = best[place]
+        worth[row] += shortest
+        for j in range(places):
+            if seen[j] and taker[j] >= 0:
+                worth[taker[j]] += shortest - best[j]
+            if seen[j]:
+                price[j] -= shortest - best[j]
+        while place >= 0:
+            taker[place] = row if before[place] < 0 else taker[before[place]]
+            place = before[place]
+    return [taker.index(row) for row in range(len(costs))]

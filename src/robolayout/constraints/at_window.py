@@ -45,7 +45,7 @@ class AtWindow(Relation):
     def check(self, scene: Scene, layout: Layout) -> Outcome:
         """The centre before a window and the near side at most 0.3 m from its wall, with 5 cm of tolerance."""
         missed = min(self._missed(window, scene, layout) for window in self._windows(scene))
-        return Outcome(missed <= TOLERANCE.gap, missed, TOLERANCE.gap, "m", f"{missed:.2f} m off the nearest window")
+        return Outcome.at_most(TOLERANCE.gap, missed, "m", f"{missed:.2f} m off the nearest window")
 
     def _windows(self, scene: Scene) -> tuple[Opening, ...]:
         return scene.room.windows if self.window is None else (scene.room.windows[self.window],)

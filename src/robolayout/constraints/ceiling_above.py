@@ -30,6 +30,4 @@ class CeilingAbove(Relation):
         target = frame(scene, layout, point_ref(self.b, scene))
         off = math.hypot(layout[self.a.name].x - target.x, layout[self.a.name].y - target.y)
         where = "the middle of the room" if self.b is None else str(self.b)
-        return Outcome(
-            off <= TOLERANCE.hanging, off, TOLERANCE.hanging, "m", f"{off:.2f} m off the place above {where}"
-        )
+        return Outcome.at_most(TOLERANCE.hanging, off, "m", f"{off:.2f} m off the place above {where}")

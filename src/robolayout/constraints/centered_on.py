@@ -40,7 +40,7 @@ class CenteredOn(Relation):
         along, across = self._bound(scene)
         off = math.hypot(u, v) if isinstance(target, PointRef) else max(abs(u) * along, abs(v) * across)
         where = "the middle of the room" if self.b is None else f"the middle of {self.b}"
-        return Outcome(off <= TOLERANCE.center, off, TOLERANCE.center, "m", f"{off:.2f} m off {where}")
+        return Outcome.at_most(TOLERANCE.center, off, "m", f"{off:.2f} m off {where}")
 
     def _bound(self, scene: Scene) -> tuple[bool, bool]:
         """Return which axes of the frame of an asset or wall are bound: along, across."""

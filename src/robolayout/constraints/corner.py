@@ -63,7 +63,7 @@ class Corner(Relation):
         text = f"{gap:.2f} m from the walls of its corner" + (f", {depth:.2f} m into them" if depth > 0.0 else "")
         if depth > TOLERANCE.gap:
             return Outcome(False, depth, TOLERANCE.gap, "m", text)
-        return Outcome(gap <= TOLERANCE.corner, gap, TOLERANCE.corner, "m", text)
+        return Outcome.at_most(TOLERANCE.corner, gap, "m", text)
 
     def _measured(self, vertex: int, scene: Scene, layout: Layout) -> tuple[float, float]:
         """Return how far it is from the farther wall of a corner, and how far it reaches through one of them, in metres."""

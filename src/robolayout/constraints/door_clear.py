@@ -46,7 +46,7 @@ class DoorClear(Relation):
                 area = common_area(landing, footprint(scene, layout, AssetRef(name)))
                 if area > max(worst, TOLERANCE.area):
                     worst, text = area, f"{name} takes {area:.3f} m2 of the landing of door {number}"
-        return Outcome(worst <= TOLERANCE.area, worst, TOLERANCE.area, "m2", text)
+        return Outcome.at_most(TOLERANCE.area, worst, "m2", text)
 
 
 def _depth(room: Room, door: Opening) -> float:

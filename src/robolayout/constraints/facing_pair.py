@@ -29,6 +29,4 @@ class FacingPair(Relation):
     def check(self, scene: Scene, layout: Layout) -> Outcome:
         """Each front's ray hits the other's footprint, or is within 10 degrees of its centre."""
         off = max(facing_error(scene, layout, self.a, self.b), facing_error(scene, layout, self.b, self.a))
-        return Outcome(
-            off <= TOLERANCE.angle, off, TOLERANCE.angle, "deg", f"fronts up to {off:.0f} deg off each other"
-        )
+        return Outcome.at_most(TOLERANCE.angle, off, "deg", f"fronts up to {off:.0f} deg off each other")

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from robolayout.constraints._neighbours import Link, link_terms, links_outcome
 from robolayout.constraints._refs import AssetRef
 from robolayout.constraints._relation import Outcome, Relation, Term, argument
+from robolayout.constraints.row import Link, link_terms, links_outcome
 from robolayout.scene import Layout, Scene
 
 

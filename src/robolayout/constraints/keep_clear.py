@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Collection
 from dataclasses import dataclass
 
@@ -14,14 +13,6 @@ from robolayout.constraints._exact import TOLERANCE, common_area, footprint, hal
 from robolayout.constraints._refs import AssetRef
 from robolayout.constraints._relation import ClearTerm, Outcome, Relation, Term, argument
 from robolayout.scene import Layout, Scene, vertical_span
-
-
-def side_box(half: tuple[float, float], side: str, depth: float) -> tuple[tuple[float, float], tuple[float, float]]:
-    """Return centre and half size, in the owner's frame, of the strip `depth` metres deep before one side."""
-    hx, hy = half
-    if side in ("front", "back"):
-        return ((math.copysign(hx + depth / 2, 1 if side == "front" else -1), 0.0), (depth / 2, hy))
-    return ((0.0, math.copysign(hy + depth / 2, 1 if side == "left" else -1)), (hx, depth / 2))
 
 
 @dataclass(frozen=True)
@@ -37,32 +28,27 @@ class KeepClear(Relation):
 
     def terms(self, scene: Scene, near: Layout) -> tuple[Term, ...]:
         """Return one strip in a's frame."""
-        center, half = side_box(half_size(scene, self.a), self.side, self.depth)
+        center, half = self._strip(scene)
         return (ClearTerm(self.a, center, half, strip_span(scene, near, self.a), hard=False),)
 
     def check(self, scene: Scene, layout: Layout) -> Outcome:
         """At most 0.01 m2 of other footprints (rugs aside) in the strip."""
-        return strip_outcome(scene, layout, self.a, side_box(half_size(scene, self.a), self.side, self.depth))
+        (x, y), (hx, hy) = self._strip(scene)
+        strip = box(x - hx, y - hy, x + hx, y + hy)
+        return region_outcome(scene, layout, self.a, strip, strip_span(scene, layout, self.a))
+
+    def _strip(self, scene: Scene) -> tuple[tuple[float, float], tuple[float, float]]:
+        """Return its centre and half its size in a's frame."""
+        (hx, hy), sign = half_size(scene, self.a), 1 if self.side in ("front", "left") else -1
+        if self.side in ("front", "back"):
+            return (sign * (hx + self.depth / 2), 0.0), (self.depth / 2, hy)
+        return (0.0, sign * (hy + self.depth / 2)), (hx, self.depth / 2)
 
 
 def strip_span(scene: Scene, layout: Layout, owner: AssetRef) -> tuple[float, float]:
     """Return between which heights in metres a thing's strip is to be free: its own, a threshold of 2 cm aside."""
     low, high = vertical_span(scene.by_name[owner.name], layout[owner.name])
     return (low + 0.02, high)
-
-
-def strip_outcome(
-    scene: Scene,
-    layout: Layout,
-    owner: AssetRef,
-    place: tuple[tuple[float, float], tuple[float, float]],
-    exempt: Collection[str] = (),
-) -> Outcome:
-    """Return how much of a strip, given by centre and half size in its owner's frame, is taken by the worst thing."""
-    (x, y), (hx, hy) = place
-    return region_outcome(
-        scene, layout, owner, box(x - hx, y - hy, x + hx, y + hy), strip_span(scene, layout, owner), exempt
-    )
 
 
 def region_outcome(
@@ -86,4 +72,4 @@ def region_outcome(
         if area > taken and bottom < high and top > low:
             taken, culprit = area, asset.name
     text = f"{taken:.2f} m2 of {culprit} in the strip" if taken > TOLERANCE.strip else "free"
-    return Outcome(taken <= TOLERANCE.strip, taken, TOLERANCE.strip, "m2", text)
+    return Outcome.at_most(TOLERANCE.strip, taken, "m2", text)

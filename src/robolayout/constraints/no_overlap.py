@@ -83,7 +83,7 @@ class NoOverlap(Relation):
                     area = common_area(_placed(first, layout[a.name]), _placed(second, layout[b.name]))
                     if area > max(worst, TOLERANCE.area):
                         worst, text = area, f"{a.name} and {b.name} overlap by {area:.4f} m2"
-        return Outcome(worst <= TOLERANCE.area, worst, TOLERANCE.area, "m2", text)
+        return Outcome.at_most(TOLERANCE.area, worst, "m2", text)
 
 
 def _placed(prism: Prism, pose: Pose) -> Polygon:

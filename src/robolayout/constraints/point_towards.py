@@ -34,4 +34,4 @@ class PointTowards(Relation):
     def check(self, scene: Scene, layout: Layout) -> Outcome:
         """The ray along the front, turned back by `angle`, hits b's footprint, or is within 10 degrees of its centre."""
         off = facing_error(scene, layout, self.a, self.b, -math.radians(self.angle))
-        return Outcome(off <= TOLERANCE.angle, off, TOLERANCE.angle, "deg", f"front {off:.0f} deg off {self.b}")
+        return Outcome.at_most(TOLERANCE.angle, off, "deg", f"front {off:.0f} deg off {self.b}")

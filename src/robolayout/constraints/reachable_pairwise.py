@@ -34,7 +34,7 @@ class ReachablePairwise(Relation):
                 short = required - math.hypot(layout[a].x - layout[b].x, layout[a].y - layout[b].y)
                 if short > worst:
                     worst, text = short, f"{a} and {b} are {short:.2f} m too close"
-        return Outcome(worst <= 0.0, worst, 0.0, "m", text)
+        return Outcome.at_most(0.0, worst, "m", text)
 
     def _pairs(self, scene: Scene) -> list[tuple[str, str, float]]:
         radius = scene.agent.radius

@@ -34,10 +34,5 @@ class SymmetricPair(Relation):
         first, second = (axis.point(layout[r.name].x, layout[r.name].y) for r in (self.a, self.b))
         flip = (-1.0, 1.0) if isinstance(self.ref, WallRef) else (1.0, -1.0)
         error = math.dist((first[0] * flip[0], first[1] * flip[1]), second)
-        return Outcome(
-            error <= TOLERANCE.mirror,
-            error,
-            TOLERANCE.mirror,
-            "m",
-            f"{error:.2f} m from the mirror image about {self.ref}",
-        )
+        text = f"{error:.2f} m from the mirror image about {self.ref}"
+        return Outcome.at_most(TOLERANCE.mirror, error, "m", text)

@@ -33,4 +33,4 @@ class Toward(Relation):
         pose = layout[self.a.name]
         u, v = frame(scene, layout, self.b).point(pose.x, pose.y)
         off = max(0.0, {"front": -u, "back": u, "left": -v, "right": v}[self.side])
-        return Outcome(off <= TOLERANCE.gap, off, TOLERANCE.gap, "m", f"{off:.2f} m past the middle of {self.b}")
+        return Outcome.at_most(TOLERANCE.gap, off, "m", f"{off:.2f} m past the middle of {self.b}")

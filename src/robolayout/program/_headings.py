@@ -77,9 +77,8 @@ def _looks_at(known: Accepted, relation: PointTowards, yaw: float) -> bool:
     x, y = _place(known, relation.a) or (0.0, 0.0)
     yaw, (x0, y0, x1, y1) = yaw - math.radians(relation.angle), known.scene.room.bounds
     far = math.hypot(x1 - x0, y1 - y0) + math.hypot(x - x0, y - y0)
-    return LineString([(x, y), (x + far * math.cos(yaw), y + far * math.sin(yaw))]).intersects(
-        _shape(known, relation.b)
-    )
+    ray = LineString([(x, y), (x + far * math.cos(yaw), y + far * math.sin(yaw))])
+    return ray.intersects(_shape(known, relation.b))
 
 
 def _shape(known: Accepted, ref: Ref) -> BaseGeometry:
@@ -98,8 +97,7 @@ def _place(known: Accepted, ref: Ref) -> tuple[float, float] | None:
         return known.scene.room.walls[ref.index].midpoint
     if isinstance(ref, PointRef):
         return (ref.x, ref.y)
-    guess = known.program.guesses.get(ref.name)
-    return guess.position[:2] if guess is not None and guess.position is not None else None
+    return known.program.place(ref.name)
 
 
 def _yaw(direction: tuple[float, float]) -> float:

@@ -86,6 +86,11 @@ class Program:
         placed = {name for name, guess in self.guesses.items() if guess.position is not None}
         return placed == set(self.expressions)
 
+    def place(self, name: str) -> tuple[float, float] | None:
+        """Return where it first puts an asset, in metres in plan; None if it does not say."""
+        guess = self.guesses.get(name, Guess())
+        return guess.position and guess.position[:2]
+
     def forgotten(self) -> tuple[str, ...]:
         """Return the things, as they are written in a program, that neither a guess nor a statement is about."""
         said = {

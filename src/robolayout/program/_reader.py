@@ -33,13 +33,9 @@ def read_program(text: str, scene: Scene, limits: Limits | None = None) -> Progr
     said = _Said(recorded["log"], set(recorded["inner"]), source, scene)
     written = scene.expressions
     poses = dict(zip(written, recorded["poses"], strict=True))
-    guesses = {
-        asset.name: guess
-        for asset in scene.assets
-        if (guess := _guess(written[asset.name], poses[asset.name], source)) is not None
-    }
-    notes = tuple(recorded["notes"])
-    wishes = said.statements(wishes=True)
+    guesses = {asset.name: _guess(written[asset.name], poses[asset.name], source) for asset in scene.assets}
+    guesses = {name: guess for name, guess in guesses.items() if guess != Guess()}
+    notes, wishes = tuple(recorded["notes"]), said.statements(wishes=True)
     return Program(source.text, said.statements(), guesses, notes, expressions=written, wishes=wishes)
 
 
@@ -93,9 +89,8 @@ class _Said:
             relation = self._relation(row)
         except ArgumentError as error:
             node = _argument(site, error.argument)
-            line = node.lineno if node else site.line
-            column = node.col_offset if node else site.column
-            raise self.source.error(str(error), line or None, column) from error
+            line, column = (node.lineno, node.col_offset) if node else (site.line, site.column)
+            raise self.source.error(str(error), line, column) from error
         text = self.source.segment(site.call) if site.call else f"solver.{row[1]}(...)"
         return Statement(relation, site.line, text, number, weight)
 
@@ -124,39 +119,33 @@ def _argument(site: Site, argument: int | str | None) -> ast.expr | None:
     return None if starred or argument >= len(site.call.args) else site.call.args[argument]
 
 
-def _guess(expression: str, recorded: list[Any], source: Source) -> Guess | None:
-    """Return the guess for one asset, None if the program says nothing about it."""
+def _guess(expression: str, recorded: list[Any], source: Source) -> Guess:
+    """Return the guess for one asset; an empty one if the program says nothing about it."""
     place, turn, place_site, turn_site = recorded
-    if place is None and turn is None:
-        return None
     position = None if place is None else _vector(place, f"{expression}.position", _site(source, place_site), source)
     if position is not None and len(position) != 3:
         where = _site(source, place_site)
-        raise source.error(
-            f"{expression}.position is three numbers, x, y, z in metres", where.line or None, where.column
-        )
+        raise source.error(f"{expression}.position is three numbers, x, y, z in metres", where.line, where.column)
     yaw = None if turn is None else _yaw(turn, expression, _site(source, turn_site), source)
     return Guess((position[0], position[1], position[2]) if position else None, yaw)
 
 
 def _yaw(recorded: Recorded, expression: str, site: Site, source: Source) -> float:
     """Return the yaw in radians: one number is degrees, three are radians about x, y and z."""
-    numbers = _vector(
-        ["list", [recorded]] if recorded[0] == "number" else recorded, f"{expression}.rotation", site, source
-    )
+    turns = ["list", [recorded]] if recorded[0] == "number" else recorded
+    numbers = _vector(turns, f"{expression}.rotation", site, source)
     if len(numbers) not in (1, 3):
-        message = f"{expression}.rotation is [degrees] or [0, 0, radians(degrees)]"
-        raise source.error(message, site.line or None, site.column)
+        raise source.error(f"{expression}.rotation is [degrees] or [0, 0, radians(degrees)]", site.line, site.column)
     return math.radians(numbers[0]) if len(numbers) == 1 else numbers[2]
 
 
 def _vector(recorded: Recorded, what: str, site: Site, source: Source) -> list[float]:
     items = recorded[1] if recorded[0] == "list" else []
     if not items or any(item[0] != "number" for item in items):
-        raise source.error(f"{what} takes a list of numbers", site.line or None, site.column)
+        raise source.error(f"{what} takes a list of numbers", site.line, site.column)
     numbers: list[float] = [item[1] for item in items]
     if not all(math.isfinite(value) and abs(value) <= READING.farthest for value in numbers):
         shown = ", ".join(f"{value:g}" for value in numbers[:3])
         message = f"{what} = [{shown}]: every number must be finite and within {READING.farthest:g}"
-        raise source.error(message, site.line or None, site.column)
+        raise source.error(message, site.line, site.column)
     return numbers

@@ -71,7 +71,7 @@ class Accepted:
     def __post_init__(self) -> None:
         for asset in self.scene.assets:
             guess = self.program.guesses.get(asset.name)
-            if guess is not None and guess.position is not None and guess.position[2] > asset.size[2] / 2:
+            if guess and guess.position and guess.position[2] > asset.size[2] / 2:
                 self.mounted[asset.name] = guess.position[2]
 
     def add(self, statement: Statement) -> None:
@@ -204,13 +204,9 @@ def once(so_far: Accepted, relation: Relation) -> Answer:
 
 def one_wall(so_far: Accepted, relation: Relation) -> Answer:
     """Reject a second wall for the same thing."""
-    if (
-        not isinstance(relation, AgainstWall | MountedOn)
-        or relation.wall is None
-        or relation.a.name not in so_far.walls
-    ):
-        return None
-    return f"{relation.a} is already at walls[{so_far.walls[relation.a.name]}]; a thing has one wall"
+    if isinstance(relation, AgainstWall | MountedOn) and relation.wall and relation.a.name in so_far.walls:
+        return f"{relation.a} is already at walls[{so_far.walls[relation.a.name]}]; a thing has one wall"
+    return None
 
 
 def one_heading(so_far: Accepted, relation: Relation) -> Answer:
@@ -256,7 +252,7 @@ def wall_holds(so_far: Accepted, relation: Relation) -> Answer:
         return None
     asked = so_far.scene.room.walls[relation.wall.index]
     trouble = _trouble(so_far, relation, asked.index)
-    place = _guessed_place(so_far, relation) if so_far.paper else None
+    place = so_far.program.place(relation.a.name) if so_far.paper and not isinstance(relation, Row) else None
     if trouble is None and place is None:
         return None
     able = [wall for wall in so_far.scene.room.walls if _trouble(so_far, relation, wall.index) is None]
@@ -270,12 +266,6 @@ def wall_holds(so_far: Accepted, relation: Relation) -> Answer:
         best = min(able, key=lambda wall: (round(wall.distance(place), 9), wall.index))
         why = f"walls[{best.index}] is the nearest to the first guess"
     return Change(replace(relation, wall=WallRef(best.index)), why) if best.index != asked.index else None
-
-
-def _guessed_place(so_far: Accepted, relation: AtWall) -> tuple[float, float] | None:
-    """Return where the program first put the thing, in metres in plan."""
-    guess = None if isinstance(relation, Row) else so_far.program.guesses.get(relation.a.name)
-    return guess.position[:2] if guess is not None and guess.position is not None else None
 
 
 def _trouble(so_far: Accepted, relation: AtWall, index: int) -> str | None:

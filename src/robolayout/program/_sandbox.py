@@ -2,7 +2,9 @@
 
 The child gets three feeds: the prelude, the program (a feed of its own, so that line numbers fit) and one expression that
 returns all that was recorded as one JSON text. Time, memory and depth are limited inside the child, and the child is
-killed should it ever overrun them.
+killed should it ever overrun them. The scene arrives there as data (`_rl_scene`), never as text, so no name or size can become
+code. Names that start with `_rl_` belong to the recorder: `_source` refuses programs that use them, and the recorder keeps its
+own references to the builtins, so that a program may call its list of tables `list`.
 """
 
 from __future__ import annotations
@@ -11,18 +13,19 @@ import ast
 import json
 import re
 from collections.abc import Collection
+from importlib.resources import files
 from typing import TYPE_CHECKING, Any
 
 from robolayout._errors import ProgramError, ProgramLimitError, did_you_mean
-from robolayout.program._prelude import RESULT, prelude, scene_data
 from robolayout.program._program import READING, Limits
-from robolayout.program._source import Source, characters
+from robolayout.program._source import MEANINGLESS, Source, characters
 from robolayout.scene import Scene
 
 if TYPE_CHECKING:
     from pydantic_monty import MontyError
 
 PROGRAM_FEED = "<python-input-1>"  # what the interpreter calls the second feed: the program
+RESULT = "_rl_result()"  # the expression that reads everything back as one JSON text
 
 
 def run(source: Source, scene: Scene, relations: Collection[str], limits: Limits) -> dict[str, Any]:
@@ -39,8 +42,8 @@ def run(source: Source, scene: Scene, relations: Collection[str], limits: Limits
             Monty(max_processes=1, request_timeout=limits.seconds + READING.grace) as pool,
             pool.checkout(limits=bounds, assert_message_annotations=False) as session,  # type: ignore[arg-type]
         ):
-            data = scene_data(scene, limits)
-            session.feed_run(prelude(scene, relations), inputs={"_rl_scene": data}, print_callback=_drop)
+            data = _scene_data(scene, limits)
+            session.feed_run(_prelude(scene, relations), inputs={"_rl_scene": data}, print_callback=_drop)
             session.feed_run(source.marked, print_callback=_drop)
             return json.loads(session.feed_run(RESULT, print_callback=_drop))
     except MontyError as error:
@@ -49,6 +52,51 @@ def run(source: Source, scene: Scene, relations: Collection[str], limits: Limits
 
 def _drop(stream: str, text: str) -> None:
     """Drop what the interpreter prints by itself; the prelude's own `print` keeps a bounded part."""
+
+
+def _prelude(scene: Scene, relations: Collection[str]) -> str:
+    """Return the program text that defines the recorder and the variables of `scene`."""
+    recorder = (files("robolayout.program") / "data" / "recorder.txt").read_text(encoding="utf-8")
+    lines = [recorder, "class _rl_Solver:", "    def __init__(self, site=None, soft=False):"]
+    lines += ["        self.site, self.soft = site, soft"]
+    for name in relations:
+        lines.append(f"    def {name}(self, *args, **kwargs):")
+        lines.append(f"        return _rl_record(self.site, {name!r}, args, kwargs, self.soft)")
+    for name in sorted(MEANINGLESS):
+        lines.append(f"    def {name}(self, *args, **kwargs):")
+        lines.append(f"        _rl_notes.append('solver.{name}() means nothing here and was ignored')")
+    lines += ["solver = _rl_Solver()", "solver.wish = _rl_Solver(None, True)"]
+    lines.append("walls = [_rl_Wall(*wall) for wall in _rl_scene['walls']]")
+    lines.append("room = _rl_Room(*_rl_scene['room'])")
+    lines.append("_rl_assets = [_rl_Asset(*asset) for asset in _rl_scene['assets']]")
+    lines.append("assets = _rl_assets[:]")
+    start = 0
+    for variable, group in scene.variables.items():
+        lines.append(f"{variable} = _rl_assets[{start}:{start + len(group)}]")
+        start += len(group)
+    return "\n".join(lines) + "\n"
+
+
+def _scene_data(scene: Scene, limits: Limits) -> dict[str, object]:
+    """Return the scene and the limits as plain data for the recorder."""
+    room = scene.room
+    assets = [
+        [asset.name, f"{variable}[{i}]", asset.category, list(asset.size)]
+        for variable, group in scene.variables.items()
+        for i, asset in enumerate(group)
+    ]
+    walls = [
+        [wall.index, list(wall.start), list(wall.end), list(wall.midpoint), list(wall.normal), wall.length]
+        for wall in room.walls
+    ]
+    return {
+        "assets": assets,
+        "walls": walls,
+        "room": [*room.bounds, room.wall_height],
+        "statements": limits.statements,
+        "items": limits.items,
+        "printed": limits.printed,
+    }
 
 
 def _translate(

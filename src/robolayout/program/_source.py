@@ -282,20 +282,15 @@ def _marks(
             opening, closing = "_rl_all(", ")"
         else:
             continue
-        value, call = node.value, calls.get(id(node))
-        start = characters(lines[value.lineno - 1], value.col_offset)
-        last, end = value.end_lineno or value.lineno, value.end_col_offset or 0
-        sites.append(Site(node.lineno, start, call))
-        edits.append((value.lineno, start, -(last * 1_000_000 + end), opening))
-        edits.append((last, characters(lines[last - 1], end), 0, closing))
+        edits += _around(node.value, lines, opening, closing)
+        sites.append(Site(node.lineno, edits[-2][1], calls.get(id(node))))
     for node in ast.walk(tree):
         if isinstance(node, ast.Import) and node.names[0].name == NUMPY:
-            known_as = node.names[0].asname or NUMPY
-            edits.append(
-                (node.lineno, characters(lines[node.lineno - 1], node.col_offset), 0, f"{known_as} = _rl_np #")
-            )
+            start = characters(lines[node.lineno - 1], node.col_offset)
+            edits.append((node.lineno, start, 0, f"{node.names[0].asname or NUMPY} = _rl_np #"))
         elif isinstance(node, ast.Assign) and _thing(target := node.targets[0], variables):
-            edits += _put(node.value, target, lines, len(sites))
+            # `bed[0] = AssetInstance(...)` sets a guess instead of replacing the bed; around the marks of the value itself
+            edits += _around(node.value, lines, f"_rl_put({ast.unparse(target)}, {len(sites)}, ", ")", outer=1)
             sites.append(Site(node.lineno, characters(lines[node.lineno - 1], node.value.col_offset)))
     return tuple(sites), sorted(edits)
 
@@ -305,14 +300,13 @@ def _thing(target: ast.expr, variables: Collection[str]) -> bool:
     return isinstance(target, ast.Subscript) and isinstance(target.value, ast.Name) and target.value.id in variables
 
 
-def _put(value: ast.expr, target: ast.expr, lines: tuple[str, ...], site: int) -> list[Edit]:
-    """Return the marks by which `bed[0] = AssetInstance(...)` sets a guess instead of replacing the bed."""
-    start = (value.lineno, characters(lines[value.lineno - 1], value.col_offset))
+def _around(value: ast.expr, lines: tuple[str, ...], opening: str, closing: str, outer: int = 0) -> list[Edit]:
+    """Return marks before and after an expression, around those of what it begins and ends with."""
     last, end = value.end_lineno or value.lineno, value.end_col_offset or 0
-    before = -(last * 1_000_000 + end) - 1  # in front of the marks of the value itself
+    start = characters(lines[value.lineno - 1], value.col_offset)
     return [
-        (*start, before, f"_rl_put({ast.unparse(target)}, {site}, "),
-        (last, characters(lines[last - 1], end), 1, ")"),
+        (value.lineno, start, -(last * 1_000_000 + end) - outer, opening),
+        (last, characters(lines[last - 1], end), outer, closing),
     ]
 
 
