@@ -15,14 +15,15 @@ from robolayout.constraints import RELATIONS
 from robolayout.planners import Group, PlanRequest
 from robolayout.planners.model.prompt import (
     PROMPT_VERSION,
+    entry,
     given_data,
     prompt,
     quoted,
     request_text,
     retry_text,
     state_text,
+    vocabulary,
 )
-from robolayout.planners.model.vocabulary import entry, vocabulary
 from robolayout.program import read_program
 from robolayout.scene import Layout, Pose, scene_from_dict
 from robolayout.verify import verify

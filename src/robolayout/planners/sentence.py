@@ -304,11 +304,7 @@ def _scene(
 
 
 def _assets(
-    things: Iterable[tuple[Category, int]],
-    height: float,
-    style: str,
-    wishes: Wishes,
-    rng: np.random.Generator,
+    things: Iterable[tuple[Category, int]], height: float, style: str, wishes: Wishes, rng: np.random.Generator
 ) -> dict[str, dict[str, object]]:
     """Return the asset list; equal things have equal sizes, as said or within 6 % of typical ones, and look alike."""
     assets: dict[str, dict[str, object]] = {}

@@ -36,12 +36,7 @@ def refuses_images(error: ModelHTTPError) -> bool:
     return 400 <= error.status_code <= 501 and error.status_code != 429 and bool(SEES.search(_reason(error)))
 
 
-def sentence(
-    error: Exception,
-    spec: Spec,
-    timeout: float,
-    scrub: Callable[[str], str],
-) -> ModelError:
+def sentence(error: Exception, spec: Spec, timeout: float, scrub: Callable[[str], str]) -> ModelError:
     """Return an error of the model client as one of ours."""
     name = spec.name
     if isinstance(error, ModelTimeoutError | ModelRequestTimeout):

@@ -9,12 +9,12 @@ count by name, not by pixel. No key, header or address is written, and texts are
 
 from __future__ import annotations
 
-import hashlib
 import json
 import os
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from hashlib import sha256
 from pathlib import Path
 from typing import Any
 
@@ -23,6 +23,8 @@ from robolayout._files import write_atomic
 from robolayout._reading import Checker, show
 from robolayout.planners.model.prompt import PROMPT_VERSION, digest
 
+SLOT = ("kind", "label", "attempt", "sample", "turn")  # what tells exchanges of a run apart
+Slot = tuple[str, str, int, int, int]
 FORMAT = 1  # version of the exchange files
 KINDS = ("room", "group", "plan", "rate", "amend", "judge")  # what a model may be asked for
 NAME = re.compile(rf"({'|'.join(KINDS)})-[a-z0-9-]*attempt\d+-sample\d+(-turn\d+)?\.json")  # names of exchange files
@@ -66,7 +68,7 @@ class Question:
         """Hash of everything that is sent, pictures by name."""
         return digest([PROMPT_VERSION, self.instructions, list(self.texts), [label for label, _ in self.images]])
 
-    def slot(self, turn: int) -> tuple[str, str, int, int, int]:
+    def slot(self, turn: int) -> Slot:
         """Return which exchange of a run this is."""
         return (self.kind, self.label, self.attempt, self.sample, turn)
 
@@ -142,19 +144,15 @@ class Tape:
             "format": FORMAT,
             "prompt_version": PROMPT_VERSION,
             "model": self.model,
-            "kind": question.kind,
-            "label": question.label,
-            "attempt": question.attempt,
-            "sample": question.sample,
-            "turn": turn,
+            **dict(zip(SLOT, question.slot(turn), strict=True)),
             "key": question.key,
             "state": question.state,
             "request": {
                 "instructions": question.instructions,
                 "texts": list(question.texts),
                 "images": [
-                    {"label": label, "bytes": len(data), "sha256": hashlib.sha256(data).hexdigest()}
-                    for label, data in question.images
+                    {"label": label, "bytes": len(png), "sha256": sha256(png).hexdigest()}
+                    for label, png in question.images
                 ],
                 "feedback": feedback,
             },
@@ -178,7 +176,7 @@ class Tape:
 def file_name(question: Question, turn: int) -> str:
     """Return the name of an exchange file: kind, group, attempt, sample, and the turn if it is not the first."""
     slug = re.sub(r"[^a-z0-9]+", "-", question.label.lower()).strip("-")[:40]
-    short = hashlib.sha256(question.label.encode("utf-8", "surrogatepass")).hexdigest()[:6]
+    short = sha256(question.label.encode("utf-8", "surrogatepass")).hexdigest()[:6]
     parts = [question.kind, f"{slug}-{short}" if slug != question.label else slug]
     parts += [f"attempt{question.attempt}", f"sample{question.sample}"] + ([f"turn{turn}"] if turn > 1 else [])
     return "-".join(part for part in parts if part) + ".json"
@@ -191,7 +189,7 @@ def describe(question: Question, turn: int) -> str:
     return f"{question.kind!r} for group {question.label!r}{times}{which}" + (f", turn {turn}" if turn > 1 else "")
 
 
-def entry_kinds(recorded: Mapping[tuple[str, str, int, int, int], object]) -> str:
+def entry_kinds(recorded: Mapping[Slot, object]) -> str:
     """Return which groups a recording knows, shortened."""
     labels = list(dict.fromkeys(slot[1] for slot in recorded))
     return ", ".join(repr(label) for label in labels[:6]) + (", ..." if len(labels) > 6 else "") or "nothing"
@@ -207,13 +205,13 @@ def secrets(environment: Mapping[str, str]) -> tuple[str, ...]:
     return tuple(sorted(found, key=lambda value: (-len(value), value)))
 
 
-def read_exchanges(folder: Path) -> dict[tuple[str, str, int, int, int], dict[str, Any]]:
+def read_exchanges(folder: Path) -> dict[Slot, dict[str, Any]]:
     """Return the exchanges of a folder by slot; raises `InputError` for a folder or file that is none."""
     paths = sorted(folder.glob("*.json")) if folder.is_dir() else []
     if not paths:
         meant = "the folder that a run with a model wrote"
         raise InputError(f"{folder} holds no recorded exchanges (*.json). Give {meant}.")
-    found: dict[tuple[str, str, int, int, int], dict[str, Any]] = {}
+    found: dict[Slot, dict[str, Any]] = {}
     for path in paths[:MOST_FILES]:
         try:
             entry = _checked(_CHECK.read_json(path, "the recorded exchange", MOST_BYTES))

@@ -6,18 +6,20 @@ descriptions) goes in as quoted JSON without back-ticks, so that it cannot end a
 
 from __future__ import annotations
 
+import dataclasses
 import hashlib
 import json
 import math
 import tomllib
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping, Sequence
 from functools import cache
 from importlib.resources import files
 from string import Template
+from typing import Any
 
 from robolayout.assets.obstacles import use_sides
+from robolayout.constraints import RELATIONS, Relation
 from robolayout.planners._types import Group, PlanRequest
-from robolayout.planners.model.vocabulary import vocabulary
 from robolayout.planners.sentence import SIZES
 from robolayout.scene import Agent, Asset, Layout, Opening, Pose, Room, Scene, agent_names
 
@@ -25,14 +27,22 @@ PROMPT_VERSION = "3"  # version of the prompt files; written into every exchange
 PLACES = ("floor", "wall", "ceiling", "another thing")  # where a thing may be
 LONGEST_DESCRIPTION = 400  # characters of a description that a model is shown
 
+WORDS = {"none": "None", "room": "None", "point": "(x, y)"}
+"""How kinds of arguments are written, where not by their own name."""
+
+
+WISHES = (
+    "Each of these is a demand. As a wish it is only weighed against others, with a weight (below 0: rather not): "
+    "`solver.wish.at_window(desk[0], weight=0.8)`"
+)
+"""What a model must know of wishes."""
+
 
 @cache
 def prompt(name: str) -> str:
     """Return the text of one prompt file."""
     text = files("robolayout.planners.model").joinpath("prompts", f"{name}.md").read_text(encoding="utf-8")
-    filled = {"bodies": ", ".join(agent_names()), "fullest": f"{SIZES.fullest:.0%}"}
-    if "$vocabulary" in text:
-        filled["vocabulary"] = vocabulary()
+    filled = {"bodies": ", ".join(agent_names()), "fullest": f"{SIZES.fullest:.0%}", "vocabulary": vocabulary()}
     return Template(text).safe_substitute(filled)
 
 
@@ -49,7 +59,7 @@ def given_data(scene: Scene, group: Group | None, kind: str) -> dict[str, object
         "kind": kind,
         "task": scene.task_description,
         "criteria": scene.layout_criteria,
-        "room": room_data(scene.room),
+        "room": {"wall_height": round(scene.room.wall_height, 3), **room_data(scene.room)},
         "agents": [agent_text(agent) for agent in scene.agents],
         "things": [asset_data(asset) for asset in items],
         "group": group.to_dict() if group else None,
@@ -74,12 +84,8 @@ def request_text(scene: Scene, group: Group | None, *, names: bool = False) -> s
         things = [{"variable": written[str(thing.pop("name"))], **thing} for thing in things]
     lines = [quoted(thing) for thing in things]
     if group is not None:
-        lines = [
-            f"The group {quoted(group.label)}: {quoted(group.rationale)}",
-            *(f"- wanted: {quoted(phrase)}" for phrase in group.relations),
-            "",
-            *lines,
-        ]
+        wanted = (f"- wanted: {quoted(phrase)}" for phrase in group.relations)
+        lines = [f"The group {quoted(group.label)}: {quoted(group.rationale)}", *wanted, "", *lines]
     return Template(prompt("request")).substitute(
         task=f"{quoted(scene.task_description)}\n{quoted(scene.layout_criteria)}",
         room=room_text(scene.room),
@@ -92,13 +98,9 @@ def state_text(request: PlanRequest) -> str:
     """Return where things are, and what comes later."""
     scene, placed = request.scene, request.placed or {}
     now = set(request.group.items) if request.group else {asset.name for asset in scene.assets}
-    written = scene.expressions
     there = Layout({name: pose for name, pose in placed.items() if name not in now})
-    later = [
-        f"{written[asset.name]} ({asset.size[0]:.2f} x {asset.size[1]:.2f})"
-        for asset in scene.assets
-        if asset.name not in placed and asset.name not in now
-    ]
+    waiting = (asset for asset in scene.assets if asset.name not in placed and asset.name not in now)
+    later = [f"{scene.expressions[one.name]} ({one.size[0]:.2f} x {one.size[1]:.2f})" for one in waiting]
     return Template(prompt("state")).substitute(
         placed=poses_text(scene, there) or "Nothing is placed yet.",
         later=f"Leave space for {', '.join(later)}." if later else "Nothing: this is the last group.",
@@ -135,21 +137,19 @@ def _unfenced(request: PlanRequest) -> str:
     return "\n".join("" if "```" in line else line for line in request.previous.splitlines())
 
 
-def room_data(room: Room) -> dict[str, object]:
-    """Return the room as plain data, metres and degrees."""
-    walls = [
-        {
-            "variable": f"walls[{wall.index}]",
-            "from": _point(wall.start),
-            "to": _point(wall.end),
-            "length": round(wall.length, 3),
-            "rotation_of_a_thing_with_its_back_to_it": round(math.degrees(math.atan2(*reversed(wall.normal))) % 360, 1),
-        }
-        for wall in room.walls
-    ]
+def room_data(room: Room) -> dict[str, Sequence[Mapping[str, object]]]:
+    """Return walls, doors and windows as plain data, metres and degrees."""
     return {
-        "wall_height": round(room.wall_height, 3),
-        "walls": walls,
+        "walls": [
+            {
+                "variable": f"walls[{wall.index}]",
+                "from": _point(wall.start),
+                "to": _point(wall.end),
+                "length": round(wall.length, 3),
+                "rotation_of_a_thing_with_its_back_to_it": round(math.degrees(math.atan2(*wall.normal[::-1])) % 360, 1),
+            }
+            for wall in room.walls
+        ],
         "doors": [_opening(room, door) | {"keep_free": list(map(_point, room.landing(door)))} for door in room.doors],
         "windows": [_opening(room, window) | {"sill": round(window.sill, 3)} for window in room.windows],
     }
@@ -162,10 +162,9 @@ def room_text(room: Room) -> str:
     lines = [
         f"x from {low_x:g} to {high_x:g}, y from {low_y:g} to {high_y:g}, walls {room.wall_height:g} m high, {room.area:.1f} m2."
     ]
-    lines += [quoted(wall) for wall in _dicts(data["walls"])]
-    for i, door in enumerate(_dicts(data["doors"])):
-        lines.append(f"door {i}{' (the way in)' if i == 0 else ''}: {quoted(door)}")
-    lines += [f"window {i}: {quoted(window)}" for i, window in enumerate(_dicts(data["windows"]))]
+    lines += [quoted(wall) for wall in data["walls"]]
+    lines += [f"door {i}{'' if i else ' (the way in)'}: {quoted(door)}" for i, door in enumerate(data["doors"])]
+    lines += [f"window {i}: {quoted(window)}" for i, window in enumerate(data["windows"])]
     return "\n".join(lines) + ("" if room.doors else "\nThere is no door.")
 
 
@@ -223,19 +222,15 @@ def _labels() -> dict[str, str]:
 
 def image_label(name: str) -> str:
     """Return the line above an image."""
-    front = f"What {quoted(name)} looks like from its front, a little from its right and from above."
-    return _labels().get(name, front)
+    return (
+        _labels().get(name) or f"What {quoted(name)} looks like from its front, a little from its right and from above."
+    )
 
 
 def images_in_order(images: Mapping[str, bytes]) -> tuple[tuple[str, bytes], ...]:
     """Return images with the room first, assets by name."""
     rank = {name: i for i, name in enumerate(_labels()) if name != "failed"}
     return tuple(sorted(images.items(), key=lambda entry: (rank.get(entry[0], len(rank)), entry[0])))
-
-
-def _dicts(rows: object) -> list[dict[str, object]]:
-    assert isinstance(rows, Iterable)
-    return [dict(row) for row in rows]
 
 
 def _point(point: tuple[float, float]) -> list[float]:
@@ -250,3 +245,32 @@ def _opening(room: Room, opening: Opening) -> dict[str, object]:
         "to": _point(wall.point(opening.offset + opening.width)),
         "height": round(opening.height, 3),
     }
+
+
+def vocabulary() -> str:
+    """Return signature, meaning and example of every relation that a program may state, and how it becomes a wish."""
+    return "\n\n".join([*(entry(relation) for relation in RELATIONS.values() if not relation.implicit), WISHES])
+
+
+def entry(relation: type[Relation]) -> str:
+    """Return what a model must know of one relation."""
+    moving = f" Both `{relation.moves[0]}` and `{relation.moves[1]}` move." if len(relation.moves) == 2 else ""
+    heading = " Settles the heading." if relation.orients else ""
+    shown = ", ".join(_argument(field) for field in relation.arguments())
+    return f"`solver.{relation.name}({shown})`\n{relation.meaning()}{moving}{heading}\nExample: `{relation.example}`"
+
+
+def _argument(field: dataclasses.Field[Any]) -> str:
+    """Return an argument as it is written in a signature: `max_gap: number in m = 0.3`."""
+    meta = field.metadata
+    takes: tuple[str, ...] = meta["takes"]
+    kinds = [f'"{choice}"' for choice in meta["choices"]] or [WORDS.get(kind, kind) for kind in takes]
+    text = " | ".join(kinds)
+    if meta["many"]:
+        text = f"list of {text}"
+    if meta["unit"]:
+        text = text.replace("number", f"number in {meta['unit']}")
+    if field.default is dataclasses.MISSING:
+        return f"{field.name}: {text}"
+    default = f"{field.default:g}" if isinstance(field.default, float) else repr(field.default)
+    return f"{field.name}: {text} = {default}"
