@@ -7,6 +7,7 @@ from dataclasses import replace
 from itertools import takewhile
 
 from robolayout.assets import CATALOGUE
+from robolayout.scene import FLAT_HEIGHT
 from robolayout.words import _function_words as small
 from robolayout.words._chunk import Chunk
 from robolayout.words._references import References
@@ -51,10 +52,8 @@ class About(References):
         kinds = [chunk.kind for chunk in following]
         if kinds[:1] != ["and"] or kinds[1:2] not in (["thing"], ["part"]):
             return False
-        other = following[1]
-        if other.det != "the" and (
-            other.det or other.plural or other.number is not None
-        ):  # "the sofa and coffee table"
+        other, bare = following[1], ("", None, False)  # "the sofa and coffee table"
+        if other.det != "the" and (other.det, other.number, other.plural) != bare:
             return False
         third = following[2].kind if len(following) > 2 else "stop"
         ends = ("stop", "comma", "with", *(["verb"] if chunk.value == "amid" and len(found) < 2 else []))
@@ -269,21 +268,16 @@ class About(References):
             return all(map(sat_on, self.group))
         to = next((c for c in self.chunks[self.at :] if c.kind not in ("filler", "style")), Chunk("", 0, 0))
         again = to.kind == "pron" or any(same(thing, to) for thing in (*earlier, last))
-        again = again or (
-            to.kind in ("", "and", "comma", "stop") and relation in small.NEARNESS
-        )  # "a bed, a desk beneath"
+        ends = to.kind in ("", "and", "comma", "stop")  # "a bed, a desk beneath"
+        again = again or (ends and relation in small.NEARNESS)
         begun = next(i for i, c in enumerate(self.chunks) if c.end == last.spans[-1][1])
         closed = self.chunks[begun - 1].kind == "and"
         had = "with" if relation == "flank" else ""
         own = (k for k in self.said.links if k.start >= self.began and k.relation != had)
         if again or not closed or self.target is not None or {m.thing for k in own for m in k.subjects} & {*earlier}:
             return False
-        where = _where(relation, to)
-        if (
-            (relation == "flank" and any(map(several, self.group)))
-            or relation not in small.SHARED
-            or (where and not all({*where} & _places(thing) for thing in earlier))
-        ):
+        where, many = _where(relation, to), relation == "flank" and any(map(several, self.group))
+        if many or relation not in small.SHARED or (where and not all({*where} & _places(thing) for thing in earlier)):
             return False
         if relation in ("wall", "flank") or where == ("object",):
             return True
@@ -327,17 +321,15 @@ class About(References):
 
     def _of_the_noun(self) -> bool:
         """Return whether a participle leads from the noun before it to a relation: "..., a lamp hanging over it"."""
-        index = self.at - 2
-        while (
-            index > 0 and self.chunks[index].kind in ("verb", "filler") and self.chunks[index].value not in small.FINITE
-        ):
+        index, chunks = self.at - 2, self.chunks
+        while index > 0 and chunks[index].kind in ("verb", "filler") and chunks[index].value not in small.FINITE:
             index -= 1
-        return index < self.at - 2 and self.chunks[index].kind == "thing"
+        return index < self.at - 2 and chunks[index].kind == "thing"
 
 
 def _where(relation: str, to: Chunk) -> tuple[str, ...]:
     """Return where a thing must be able to be that stands so to something: one stands also "on" a wall told from the others."""
-    flat = to.noun is not None and CATALOGUE[to.noun.kind].size[2] < 0.03
+    flat = to.noun is not None and CATALOGUE[to.noun.kind].size[2] < FLAT_HEIGHT
     if relation == "on" and to.value == "wall":
         return ("wall", "floor") if to.adjectives else ("wall",)
     if relation == "above":

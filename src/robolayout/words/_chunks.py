@@ -25,6 +25,9 @@ PLACING = ("place", "put", "position", "install", "mount")
 SIDES = {"left": "left", "right": "right", "foot": "foot", "head": "end"}
 """Relations to a thing by the side of it that is named."""
 
+NO_THINGS = ("total", "style", "kind", "row", "rows", "grid", "line", "lot", "nothing")
+"""Nouns that name no thing."""
+
 Before = tuple[str, int | None, str, int]
 """What stands before a noun: article, number, bound, rows."""
 
@@ -87,16 +90,8 @@ class Chunker(ClosedWords):
                 size += 2 * bool(each)
                 of_it = words[-1] in ("left", "right") and phrase != words[-1] and self._clause(at, at + size)
                 its = "its" if (re.search(" (its|their) ", phrase) and value != "wall") or of_it else ""
-                return Chunk(
-                    "rel",
-                    at,
-                    at + size,
-                    value,
-                    det=its,
-                    number=rows * each if each else None,
-                    rows=rows,
-                    adjectives=tuple(words),
-                )
+                number = rows * each if each else None
+                return Chunk("rel", at, at + size, value, None, its, number, adjectives=tuple(words), rows=rows)
             if kind == "and" or (kind == "pron" and size > 1 and phrase != "the two"):
                 return Chunk(kind, at, at + size, phrase)
         word = self.words[at]
@@ -181,9 +176,8 @@ class Chunker(ClosedWords):
 
     def _some_of(self, word: str, rest: list[str]) -> tuple[str, int | None, str, int, int] | None:
         """Return the same of what says which share of several is meant: "half of", "every other", "all but one of"."""
-        share = next(
-            (name for name in small.SHARES if [word, *rest][: len(name.split()) + 1] == [*name.split(), "of"]), ""
-        )
+        here = " ".join((word, *rest, ""))
+        share = next((name for name in small.SHARES if here.startswith(f"{name} of ")), "")
         if share or (word == "half" and rest[:1] == ["the"]):
             return (share or word, None, "", 0, len(share.split()) + 1)
         if word == "every" and rest[:1] in (["other"], ["second"]):
@@ -218,15 +212,9 @@ class Chunker(ClosedWords):
             word = self.words[i]
             pair = self.words[i - 1 : i] + self.words[i + 1 : i + 2]
             both = word == "and" and bool(run) and all(side in self.grammar.walls for side in pair)
-            stops = (
-                word in MARKS
-                or (word in small.JOINING and not both)  # "the left and right walls"
-                or word in small.WITH
-                or (word in small.BREAKING and not self._named_of(i, run))
-                or word in small.REFUSING
-                or i in self.measured
-                or word[0].isdecimal()
-            )
+            stops = i in self.measured or word[0].isdecimal() or word in (*MARKS, *small.WITH, *small.REFUSING)
+            stops = stops or (word in small.JOINING and not both)  # "the left and right walls"
+            stops = stops or (word in small.BREAKING and not self._named_of(i, run))
             counts = count_of(word) is not None and word != "couple" and not self._seats(i)
             named = not run and self.lexicon.noun(self.words[i : i + 3]) is not None  # "first aid kit"
             if stops or counts or (word in small.DETERMINERS and not named) or self._closed(i, run, many):
@@ -364,15 +352,9 @@ class Chunker(ClosedWords):
 
     def _promises(self, run: list[str]) -> bool:
         """Return whether an article before such words promises a thing."""
-        last = run[-1]
-        known = self.grammar
-        closed = (known.styles, known.functions, known.fillers, known.sizes, known.walls, small.COMPARING)
-        return (
-            not any(last in words for words in closed)
-            and len(last) > 2
-            and not last.endswith("ly")
-            and last not in ("total", "style", "kind", "row", "rows", "grid", "line", "lot", "nothing")
-        )
+        last, known = run[-1], self.grammar
+        closed = (known.styles, known.functions, known.fillers, known.sizes, known.walls, small.COMPARING, NO_THINGS)
+        return not any(last in words for words in closed) and len(last) > 2 and not last.endswith("ly")
 
     def _single(self, at: int) -> Chunk:
         """Return a word that is part of nothing larger."""

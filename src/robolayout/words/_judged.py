@@ -132,12 +132,8 @@ def seats_for(people: int) -> Callable[[Furnished], Finding]:
 
     def judge(room: Furnished) -> Finding:
         there = [asset for asset in room.scene.assets if asset.name in room.layout]
-        kinds = [(category_of(asset).name.split()[-1], asset) for asset in there]
-        seats = sum(
-            int(asset.size[1] // SEAT) or 1 if kind in ("sofa", "bench") else 1
-            for kind, asset in kinds
-            if kind in SEATS
-        )
+        wide = [(category_of(asset).name.split()[-1], max(int(asset.size[1] // SEAT), 1)) for asset in there]
+        seats = sum(many if kind in ("sofa", "bench") else 1 for kind, many in wide if kind in SEATS)
         return met(seats >= people, f"{seats} seats there")
 
     return judge

@@ -91,11 +91,10 @@ class Parser(Relating):
         last = self.said.links[-1] if self.said.links else None
         if chunk.value == "too" and last is not None and self.group and not self.acted and last.start < self.began:
             self.said.links.append(replace(last, subjects=tuple(self.group)))  # "a sofa by the window. A desk, too"
-        led = list(
-            takewhile(lambda other: other.kind in ("verb", "pron") or other.value == "of", self.chunks[self.at :])
-        )
-        share, index = count_of(chunk.value), self.at + len(led)  # "one of them is against the wall"
-        if share and self._previous(chunk) != "for" and self._ahead(len(led)).kind in ("rel", "with"):
+        share, index = count_of(chunk.value), self.at  # "one of them is against the wall"
+        while (led := self._ahead(index - self.at)).kind in ("verb", "pron") or led.value == "of":
+            index += 1
+        if share and self._previous(chunk) != "for" and led.kind in ("rel", "with"):
             self._deal(share, index)
 
     def _on_measure(self, chunk: Chunk) -> None:
@@ -168,13 +167,10 @@ class Parser(Relating):
         room = chunk.value == "it" and self.before[:1] and self.before[0].det in ("both", "all")
         one = len(self.before) == 1 and not several(self.before[0]) and not self.group
         if one and chunk.value in (*small.EVERY, "they") and chunk.value != "both":
-            self.before = [m for m in self.spoken if several(m)][
-                -1:
-            ] or self.before  # "a bed flanked by nightstands; each of them ..."
+            many = [m for m in self.spoken if several(m)]  # "a bed flanked by nightstands; each of them ..."
+            self.before = many[-1:] or self.before
         several_meant = chunk.value in small.SEVERAL and (not self.group or self._previous(chunk) in ("and", ","))
-        if several_meant and (
-            self.before or len([*self.recent, *self.targets]) > 1
-        ):  # "..., and both of them face the table"
+        if several_meant and (self.before or len([*self.recent, *self.targets]) > 1):  # "..., and both of them face it"
             self.subject = self.group = self._several_meant(self.recent, self.targets)
         elif self.before and not self.group and not room:
             self.subject, self.group = list(self.before), list(self.before)
@@ -236,15 +232,8 @@ class Parser(Relating):
             to = next(((Place(name),) for name in ("wall", "ceiling") if word.startswith(name)), ())
             self.said.links.append(Link(SAID_OF[word], (mention,), to, chunk.start, chunk.end))
         last = self.said.links[-1] if self.said.links else None
-        bare = (
-            last is not None
-            and self._previous(chunk) == "and"
-            and not chunk.det
-            and [m.count for m in last.subjects] == [1]
-        )
-        if (
-            bare and last is not None and last.relation == "stacked" and not last.objects
-        ):  # "a stacked washer and dryer"
+        bare = self._previous(chunk) == "and" and not chunk.det  # "a stacked washer and dryer"
+        if bare and last is not None and last.relation == "stacked" and [m.count for m in last.subjects] == [1]:
             self.said.links[-1] = replace(last, subjects=(*last.subjects, mention))
         if self._previous(chunk) in small.ALIKE and self.said.links:  # "a sofa is by the window, and so is a desk"
             self.said.links.append(replace(self.said.links[-1], subjects=(mention,)))
@@ -263,20 +252,23 @@ class Parser(Relating):
         noun, before = chunk.noun, self._previous(chunk)
         several = chunk.plural or (noun is not None and noun.words.endswith("s"))
         alone = not chunk.det and chunk.number is None
-        bare = several and alone
         held = self.group[-1:] if alone and self._ahead(-3).kind == "thing" else []
         alike = bool(held) and noun is not None and noun.kind == held[0].thing.noun.kind
         if noun is not None and self.refusing and not (self.negated and chunk.det == "the"):
             self.said.refused.append((noun, (chunk.start, chunk.end)))
         elif noun is not None and noun.kind in AIDS and before in ("use", "uses", "using", "for"):
             self._fact(Chunk("body", chunk.start, chunk.end, AIDS[noun.kind]))
-        elif held and (alike and (before == "of" or self._ahead(-2).kind == "with")):
+        elif alike and (before == "of" or self._ahead(-2).kind == "with"):
             self._fact(replace(chunk, kind="function"))  # "a bottle of detergent", "a vase with flowers"
         elif held and before == "of":  # "a rack of dumbbells"
             mention = self._mention(chunk)
             if mention.thing.category.on_object and not held[0].thing.category.on_object:
                 self.said.links.append(Link("on", (mention,), tuple(held), chunk.start, chunk.end))
-        elif self.group and before == "for" and (bare or (noun is not None and noun.kind.startswith("unknown"))):
+        elif (
+            self.group
+            and before == "for"
+            and ((several and alone) or (noun is not None and noun.kind.startswith("unknown")))
+        ):
             self._fact(replace(chunk, kind="function"))  # "a rack for shoes", "a desk for the therapist"
         else:
             return False

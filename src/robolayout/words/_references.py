@@ -147,14 +147,11 @@ class References(Spoken):
 
     def _joined(self) -> bool:
         """Return whether the last chunk only joins this thing to those before it."""
-        index = self.at - 2
-        seen = False
-        while index >= 0 and (
-            self.chunks[index].kind in ("and", "comma", "filler", "style") or self.chunks[index].value == "nor"
-        ):
-            seen = seen or self.chunks[index].kind in ("and", "comma", "not")
-            index -= 1
-        return seen and index >= 0 and self.chunks[index].kind == "thing" and bool(self.group) and not self.acted
+        joins = [c.kind in ("and", "comma", "filler", "style") or c.value == "nor" for c in self.chunks[: self.at - 1]]
+        first = next((i for i in range(self.at - 2, -1, -1) if not joins[i]), None)
+        if first is None or self.chunks[first].kind != "thing" or not self.group or self.acted:
+            return False
+        return any(c.kind in ("and", "comma", "not") for c in self.chunks[first + 1 : self.at - 1])
 
     def _number_of(self, item: Mention | Place) -> int:
         """Return how many there are of a thing, of corners or walls, of doors or windows that are asked for."""
@@ -168,23 +165,19 @@ class References(Spoken):
 
     def _gaps(self, item: Mention | Place) -> int:
         """Return how many gaps there are between neighbours of several things that stand in rows or along walls."""
-        walls = [
-            self._number_of(to) if to.det in ("each", "both") else to.number or 1
-            for link in self.said.links
-            if isinstance(item, Mention) and item.thing in named(link.subjects)
-            for to in link.objects
-            if isinstance(to, Place) and to.name == "wall"
-        ]
-        rows = item.thing.rows if isinstance(item, Mention) else 0
-        return max(self._number_of(item) - max(rows, *walls, 1), 1)
+        if isinstance(item, Place):
+            return max(self._number_of(item) - 1, 1)
+        at = [to for link in self.said.links if item.thing in named(link.subjects) for to in link.objects]
+        walls = [to for to in at if isinstance(to, Place) and to.name == "wall"]
+        rows = (self._number_of(wall) if wall.det in ("each", "both") else wall.number or 1 for wall in walls)
+        return max(self._number_of(item) - max(item.thing.rows, *rows, 1), 1)
 
     def _on_both_sides(self, chunk: Chunk, subjects: Sequence[Mention]) -> Chunk:
         """Count what stands at each side of something; return the relation, which is "around" for several seats."""
         each = self.having or "each" in chunk.adjectives  # "a sofa and a chair on either side of it" are one each
         for mention in subjects if each else subjects[: len(subjects) == 1]:
-            thing = mention.thing
-            if mention.per_side(chunk) and thing not in self.dealt:
-                thing.number = 2 * (thing.number or 1)
+            if mention.per_side(chunk) and mention.thing not in self.dealt:
+                mention.thing.number = 2 * (mention.thing.number or 1)
         several = all(mention.at_a_table and (mention.thing.number or 0) > 2 for mention in subjects)
         return replace(chunk, value="around") if several else chunk
 
@@ -245,9 +238,8 @@ class References(Spoken):
         """Note a relation; what stands at each of several things is as many times there."""
         self.about = list(subjects)
         led = objects or (self._led_back(chunk.value) if chunk.value in small.LED_BACK else [])
-        if (chunk.value in ("above", "behind") and not led) or any(
-            a.thing is b.thing and a.pick in (None, b.pick) for a in subjects for b in mentions(led)
-        ):
+        itself = any(a.thing is b.thing and a.pick in (None, b.pick) for a in subjects for b in mentions(led))
+        if itself or (chunk.value in ("above", "behind") and not led):
             return  # nothing stands at itself, or behind nothing
         subjects = self._counted(chunk, subjects, objects)
         if chunk.value == "flank":

@@ -6,13 +6,13 @@ import math
 import re
 from collections.abc import Sequence
 from dataclasses import replace
-from itertools import pairwise, takewhile
+from itertools import dropwhile, pairwise, takewhile
 
 from robolayout.assets import CATALOGUE
 from robolayout.words import _function_words as small
 from robolayout.words._about import About, sat_on
-from robolayout.words._chunk import Chunk
-from robolayout.words._said import Link, Mention, Place, mentions, named, place_of, topped
+from robolayout.words._chunk import NOTHING, Chunk
+from robolayout.words._said import Link, Mention, Place, mentions, named, place_in, place_of, topped
 from robolayout.words._tokens import Measure
 from robolayout.words._ways import SEATS, TOPS
 
@@ -163,11 +163,8 @@ class Relating(About):
         """Note where a door or window is by what is at it: "a window above the sink" puts the sink under the window."""
         while first > 0 and self.chunks[first].kind in ("verb", "filler", "style"):
             first -= 1
-        opening, at, led = (
-            self.chunks[first],
-            AT_AN_OPENING.get(chunk.value),
-            first > 0 and self.chunks[first - 1].kind == "rel",
-        )
+        opening, at = self.chunks[first], AT_AN_OPENING.get(chunk.value)
+        led = first > 0 and self.chunks[first - 1].kind == "rel"
         if at is None or led or opening.value not in ("window", "door") or self._ahead().kind != "thing":
             return False
         things = mentions(self._objects(chunk))
@@ -269,9 +266,7 @@ class Relating(About):
             objects = self._meant("them", chunk.value)
         if not objects and chunk.value not in small.ALONE:
             self._understood(*[chunk] * (chunk.value in ("in", "by") and self._ahead().kind in small.OF_THE_ROOM))
-        elif (objects and self._is_room(chunk, objects)) or (
-            chunk.value == "stacked" and [m.count for m in subjects] == [1]
-        ):
+        elif self._is_room(chunk, objects) or (chunk.value == "stacked" and [m.count for m in subjects] == [1]):
             self._understood(chunk)
             self.broken = True
         elif chunk.value in REVERSED:
@@ -344,16 +339,10 @@ class Relating(About):
 
     def _of_what_is_unknown(self) -> bool:
         """Return whether a relation is about words that say nothing: "..., and sound panels on the wall"."""
-        before = self.chunks[: self.at - 1]
-        while before and before[-1].kind == "style":
-            before = before[:-1]
-        unknown = 0
-        while before and before[-1].kind in ("other", "function"):
-            before, unknown = before[:-1], unknown + 1
-        held = (
-            bool(before) and (before[-1].kind == "with" or self.having) and bool(self.group)
-        )  # "a cabinet with gadgets along the wall"
-        return unknown > 0 and bool(before) and before[-1].kind in ("and", "comma", "with") and not held
+        before = [*dropwhile(lambda c: c.kind == "style", reversed(self.chunks[: self.at - 1]))]
+        known = next(dropwhile(lambda c: c.kind in ("other", "function"), before), NOTHING)
+        held = self.group and (known.kind == "with" or self.having)  # "a cabinet with gadgets along the wall"
+        return known not in (*before[:1], NOTHING) and known.kind in ("and", "comma", "with") and not held
 
     def _at_sides(self, chunk: Chunk, subjects: Sequence[Mention], place: Place | None) -> bool:
         """Seats on the sides or at the ends of a table stand around it; other things at a side are on top of it or beside it."""
@@ -377,8 +366,7 @@ class Relating(About):
 
     def _is_room(self, chunk: Chunk, objects: Sequence[Mention | Place]) -> bool:
         """Return whether a relation only says that a thing is in the room."""
-        place = objects[0]
-        there = isinstance(place, Place) and place.name in ("room", "floor")
+        there = place_in(objects[:1], "room", "floor") is not None
         return there and chunk.value in ("in", "on", "by", "around", "flank")
 
     def _reversed(self, chunk: Chunk, subjects: list[Mention], objects: Sequence[Mention | Place]) -> None:

@@ -11,7 +11,7 @@ from robolayout.constraints.in_rows import InRows
 from robolayout.scene import Room, Scene
 from robolayout.words._said import Link
 from robolayout.words._ways import AISLE, AT_SIDES, BACK, BESIDE, NEAR
-from robolayout.words.demands import Demand, stated
+from robolayout.words.demands import Demand, single, stated
 
 End = AssetRef | PointRef
 """What a thing can stand between."""
@@ -40,7 +40,7 @@ class ToldRows:
     def __init__(self, scene: Scene, links: Sequence[tuple[Link, Sequence[str], Sequence[str]]]) -> None:
         self.scene = scene
         # beside these others stand, so that they are no unbroken row
-        self.flanked = {name for link, _, to in links if link.relation in (*AT_SIDES, "amid", "between") for name in to}
+        self.flanked = {name for link, _, to in links if link.relation in (*AT_SIDES, "amid") for name in to}
         # over the backs of desks look those who sit at them
         self.turned = {
             name: "facing" if link.relation == "mutual" and "desk" not in scene.by_name[name].category else "paired"
@@ -65,9 +65,8 @@ class ToldRows:
 def in_rows(names: Sequence[str], rows: int | None, backs: str = "alike", *, amid: bool = False) -> Demand:
     """Return that things stand in a block of so many straight rows, any number for None; perhaps with something amid them."""
     items = tuple(AssetRef(name) for name in names)
-    return Demand(
-        ((InRows(items, AISLE if amid and rows != 1 else NEAR if backs == "facing" else BESIDE, 0.0, backs, rows),),)
-    )
+    apart = AISLE if amid and rows != 1 else NEAR if backs == "facing" else BESIDE
+    return single(InRows(items, apart, 0.0, backs, rows))
 
 
 def on_a_wall(names: Sequence[str], room: Room) -> Iterator[Demand]:

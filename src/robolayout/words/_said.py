@@ -130,9 +130,8 @@ class Link:
 
     def had(self, own: Set[Thing], to: Set[Thing] | None) -> bool:
         """Return whether it only says that one of some things has a thing (any, for None)."""
-        return (
-            self.relation == "with" and self.subjects[0].thing in own and (to is None or bool(named(self.objects) & to))
-        )
+        has = to is None or bool(named(self.objects) & to)
+        return has and self.relation == "with" and self.subjects[0].thing in own
 
 
 @dataclass(eq=False)

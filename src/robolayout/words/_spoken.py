@@ -192,10 +192,8 @@ class Spoken:
         if len(before) == 1 and before[0].thing.count == 1:
             two = ([*k.subjects, *k.objects] for k in reversed(self.said.links) if k.relation != "on" and k.objects)
             standing = ([m for m in mentions(both) if not topped(m)] for both in two)
-            last = [m for m in self.spoken if not topped(m)][
-                -2:
-            ]  # "One bed is here and one bed there. Between them ..."
-            before = next((both for both in standing if len(both) > 1), last if len(last) > 1 else before)
+            last = [m for m in self.spoken if not topped(m)]  # "One bed is here and one bed there. Between them ..."
+            before = next((both for both in standing if len(both) > 1), last[-2:] if len(last) > 1 else before)
         return earlier[-2:] or before
 
     def _keeps(self, relation: str) -> bool:
