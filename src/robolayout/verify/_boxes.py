@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 import shapely
 from numpy.typing import NDArray
-from shapely import Polygon
+from shapely import Polygon, STRtree
 from shapely.affinity import affine_transform
 
 from robolayout.assets import category_of, prisms_of, surfaces_of
@@ -48,6 +48,14 @@ class Boxes:
     def carriers(self) -> NDArray[np.intp]:
         """(n,) row that carries each asset, rugs aside; -1 where none."""
         return self.held_by(~self.flat)
+
+    def pairs(self, rows: NDArray[np.intp]) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
+        """Return the pairs of some rows whose footprints meet, the lower row first, in order."""
+        footprints = self.footprints[rows]
+        first, second = STRtree(footprints).query(footprints, predicate="intersects")
+        order = np.lexsort((second, first))
+        first, second = first[order], second[order]
+        return rows[first[first < second]], rows[second[first < second]]
 
     @property
     def carried(self) -> dict[str, str]:

@@ -42,9 +42,8 @@ class Space:
     def opened(self, rows: frozenset[int]) -> NDArray[np.object_]:
         """Return what the agent gets to beyond the main component once some assets are moved away."""
         if rows not in self._opened:
-            self._opened[rows] = opened(
-                self.blocking, rows, (self.empty, self.free, self.main), self._grown, self.radius
-            )
+            spaces = (self.empty, self.free, self.main)
+            self._opened[rows] = opened(self.blocking, rows, spaces, self._grown, self.radius)
         return self._opened[rows]
 
     def _grown(self, shapes: NDArray[np.object_], more: float) -> NDArray[np.object_]:
@@ -104,10 +103,8 @@ def opened(
 ) -> NDArray[np.object_]:
     """Return what a body gets to beyond where it is once some obstacles are moved away, as polygons.
 
-    Args:
-        spaces: Where its centre may be in the empty room, where as things stand, and where it gets to as things stand.
-        grow: Returns obstacles grown by the body.
-        size: Radius in metres of a disc that holds the body.
+    `spaces` are where its centre may be in the empty room, where as things stand, and where it gets to as things stand; `size` is
+    the radius in metres of a disc that holds the body.
     """
     empty, free, main = spaces
     gone = np.isin(obstacles.rows, list(rows))

@@ -28,7 +28,9 @@ from robolayout.verify.drives import Drive, Pose
 from robolayout.verify.heading import free_of, grown, rectangle
 
 QUARTER = ((1, 0), (2, 1), (1, 1), (1, 2))  # directions of the headings of a quarter turn, in cells
-TURNS = 4 * len(QUARTER)
+DIRECTIONS = (*QUARTER, *((-y, x) for x, y in QUARTER), *((-x, -y) for x, y in QUARTER), *((y, -x) for x, y in QUARTER))
+ANGLES = tuple(math.atan2(y, x) for x, y in DIRECTIONS)  # the same in radians, in the lattice's frame
+TURNS = len(DIRECTIONS)
 
 
 @dataclass(frozen=True)
@@ -105,36 +107,21 @@ def _met(grid: _Grid, body: bytes, ring: bytes) -> NDArray[np.intp]:
 
 
 class Lattice:
-    """Where a body can drive from the door.
+    """Where a body with length, width and turning radius can drive from the door; its places do not depend on what stands there.
 
-    Its places do not depend on what stands in the room.
-
-    Args:
-        agent: The body; with length, width and turning radius.
-        start: Where its centre comes in if nothing is in the way, metres; it may come in beside that as far as the door is wide.
-        heading: The heading in which it comes in, radians.
+    Its centre comes in at `start`, metres, if nothing is in the way, else beside that as far as the door is wide; its heading is
+    then `heading`, radians.
     """
 
     def __init__(self, room: Room, blocking: Obstacles, agent: Agent, start: Point, heading: float) -> None:
         self._room, self._blocking, self._agent = room, blocking, agent
-        self.cell = _cell(agent, room)
-        self._angle, self._origin = heading, np.array(start)
-        self._axes = _axes(heading)
-        corners = (np.array(room.vertices) - self._origin) @ self._axes.T / self.cell
+        cell, self._axes = _cell(agent, room), _axes(heading)
+        corners = (np.array(room.vertices) - start) @ self._axes.T / cell
         (left, bottom), (right, top) = np.floor(corners.min(axis=0)), np.ceil(corners.max(axis=0))
         shape = (int(right - left) + 1, int(top - bottom) + 1)
-        self._grid = _Grid(start, heading, self.cell, (int(left), int(bottom)), shape)
-        self._shape = self._grid.shape
-        self._moves = [list(_moves(k, self.cell, agent.turning_radius or 0.0)) for k in range(TURNS)]
-
-    @cached_property
-    def places(self) -> NDArray[np.float64]:
-        """(n, 2) all places of the lattice in metres."""
-        return self._grid.places
-
-    def heading(self, number: int) -> float:
-        """Return a heading of the lattice in radians."""
-        return self._angle + _angle(number)
+        self._grid = _Grid(start, heading, cell, (int(left), int(bottom)), shape)
+        self._places, self._angle = self._grid.places, heading
+        self._moves = [list(_moves(k, cell, agent.turning_radius or 0.0)) for k in range(TURNS)]
 
     @cached_property
     def _open(self) -> list[list[NDArray[np.bool_]]]:
@@ -149,7 +136,7 @@ class Lattice:
                 back = ((k + move.turn + TURNS // 2) % half, -move.turn, on_spot)
                 if back in known:
                     step = (-move.step[0], -move.step[1])
-                    known[own] = np.roll(known[back].reshape(self._shape), step, axis=(0, 1)).ravel()
+                    known[own] = np.roll(known[back].reshape(self._grid.shape), step, axis=(0, 1)).ravel()
                 elif own not in known:
                     known[own] = self._clear(k, move)
                 found[k].append(known[own])
@@ -157,7 +144,7 @@ class Lattice:
 
     def _clear(self, number: int, move: Move) -> NDArray[np.bool_]:
         """Return from which places the shape that a move sweeps meets nothing."""
-        poses = np.concatenate([[(0.0, 0.0, _angle(number))], move.poses])
+        poses = np.concatenate([[(0.0, 0.0, ANGLES[number])], move.poses])
         rings = [rectangle(self._agent, self._angle + turn, LATTICE.bulge) + at @ self._axes for *at, turn in poses]
         body = shapely.get_coordinates(shapely.MultiPoint(np.concatenate(rings)).convex_hull)[:-1].tobytes()
         free = _inside(self._grid, self._room, body).copy()
@@ -169,10 +156,11 @@ class Lattice:
     def _found(self) -> tuple[NDArray[np.float64], NDArray[np.intp]]:
         """Cost in metres from the start to every (heading, place), and the node before it; -1 where there is none."""
         before, after, costs = self._edges()
-        cost, previous = np.full(TURNS * len(self.places), np.inf), np.full(TURNS * len(self.places), -1, dtype=np.intp)
+        count = TURNS * len(self._places)
+        cost, previous = np.full(count, np.inf), np.full(count, -1, dtype=np.intp)
         met = np.zeros(len(cost), dtype=bool)
         met[before] = met[after] = True
-        start = self._start(met[: len(self.places)])
+        start = self._start(met[: len(self._places)])
         if start is None:
             return cost, previous
         used, at = np.flatnonzero(met), np.cumsum(met) - 1
@@ -184,13 +172,13 @@ class Lattice:
 
     def _edges(self) -> tuple[NDArray[np.intp], NDArray[np.intp], NDArray[np.float64]]:
         """Return from which node (heading, place) a body gets to which, and at what cost: moves, and reversals where it stands."""
-        count, half = len(self.places), TURNS // 2
+        count, half = len(self._places), TURNS // 2
         stands = np.zeros((TURNS, count), dtype=bool)
         edges: list[tuple[NDArray[np.intp], NDArray[np.intp], float]] = []
         for k, moves in enumerate(self._moves):
             for move, free in zip(moves, self._open[k], strict=True):
                 here, turned = np.flatnonzero(free), (k + move.turn) % TURNS
-                there = here + move.step[0] * self._shape[1] + move.step[1]
+                there = here + move.step[0] * self._grid.shape[1] + move.step[1]
                 edges.append((k * count + here, turned * count + there, move.cost))
                 stands[k, here] = stands[turned, there] = True
         for k in range(TURNS):
@@ -202,25 +190,24 @@ class Lattice:
     def _start(self, stands: NDArray[np.bool_]) -> int | None:
         """Return the place nearest to where the body comes in at which it can stand, heading into the room."""
         here, doors = np.flatnonzero(stands), self._room.doors
-        away = np.hypot(*(self.places[here] - self._origin).T)
+        away = np.hypot(*(self._places[here] - self._grid.origin).T)
         aside = max(0.0, doors[0].width - (self._agent.width or 0.0)) / 2 if doors else 0.0
         return int(here[np.argmin(away)]) if len(here) and away.min() <= LATTICE.entry + aside else None
 
     def drives(self, places: Callable[[float], tuple[Sequence[str], NDArray[np.object_]]]) -> dict[str, Drive]:
         """Return the cheapest drive to each thing that the body gets to.
 
-        Args:
-            places: Returns for a heading in radians the names (m,) of things and from where the centre uses them, (m,)
-                polygons; half a turn changes nothing.
+        `places` returns for a heading in radians the names (m,) of things and from where the centre uses them, (m,) polygons;
+        half a turn changes nothing.
         """
         cost, _ = self._found
-        by_heading, count = cost.reshape(TURNS, -1), len(self.places)
+        by_heading, count = cost.reshape(TURNS, -1), len(self._places)
         best: dict[str, tuple[float, int]] = {}
-        spots: Any = shapely.points(self.places)
+        spots: Any = shapely.points(self._places)
         for k in range(TURNS // 2):
             both = by_heading[[k, k + TURNS // 2]]
             there = np.flatnonzero(np.isfinite(both).any(axis=0))
-            names, zones = places(self.heading(k))
+            names, zones = places(self._angle + ANGLES[k])
             asked, hit = shapely.STRtree(spots[there]).query(zones, predicate="intersects")
             ahead = both[:, there[hit]].argmin(axis=0)
             nodes = (k + ahead * (TURNS // 2)) * count + there[hit]
@@ -232,20 +219,20 @@ class Lattice:
     def _drive(self, name: str, node: int) -> Drive:
         """Return the way to a node; the body drives forwards until it first changes direction."""
         _, previous = self._found
-        count, chain = len(self.places), [node]
+        count, chain = len(self._places), [node]
         while previous[chain[-1]] >= 0:
             chain.append(int(previous[chain[-1]]))
         chain.reverse()
         heading, reversals = self._angle, 0
-        poses = [(*self.places[chain[0] % count].tolist(), heading)]
+        poses = [(*self._places[chain[0] % count].tolist(), heading)]
         for (before, here), (after, there) in pairwise(divmod(node, count) for node in chain):
             turn = (after - before + TURNS // 2) % TURNS - TURNS // 2
             if here == there and abs(turn) == TURNS // 2:
                 reversals += 1
             else:
                 move = next(m for m in self._moves[before] if m.turn == turn and any(m.step) == (here != there))
-                spots = self.places[here] + move.poses[:, :2] @ self._axes
-                turned = heading + move.poses[:, 2] - _angle(before)
+                spots = self._places[here] + move.poses[:, :2] @ self._axes
+                turned = heading + move.poses[:, 2] - ANGLES[before]
                 poses += [(x, y, yaw) for (x, y), yaw in zip(spots.tolist(), turned.tolist(), strict=True)]
                 heading = poses[-1][2]
         return Drive(name, tuple(_straightened(poses)), reversals)
@@ -255,39 +242,20 @@ def _cell(agent: Agent, room: Room) -> float:
     """Return how far apart places are: so that a corridor for the body's disc holds rows of them, and arcs are tight."""
     slack = 2 * (agent.radius - LATTICE.bulge) - (agent.width or 0.0)
     low_x, low_y, high_x, high_y = room.bounds
-    tight = (agent.turning_radius or 0.0) * math.tan(_angle(1) / 2)
+    tight = (agent.turning_radius or 0.0) * math.tan(ANGLES[1] / 2)
     widest = math.sqrt((high_x - low_x) * (high_y - low_y) / LATTICE.places)
     cell = max(min(LATTICE.cell, slack / LATTICE.rows), LATTICE.finest, widest)
     return tight / math.ceil(tight / cell) if tight > 0 else cell
 
 
-def _direction(number: int) -> tuple[int, int]:
-    """Return the direction of a heading in cells."""
-    x, y = QUARTER[number % len(QUARTER)]
-    for _ in range(number // len(QUARTER) % 4):
-        x, y = -y, x
-    return x, y
-
-
-def _angle(number: int) -> float:
-    """Return a heading in radians in the lattice's frame."""
-    x, y = _direction(number)
-    return math.atan2(y, x)
-
-
-def _between(before: int, after: int) -> float:
-    """Return the angle in radians from one heading to another, within half a turn."""
-    return math.remainder(_angle(after) - _angle(before), math.tau)
-
-
 def _moves(number: int, cell: float, radius: float) -> Iterator[Move]:
     """Yield the moves from a heading: straight on; to either side a line, an arc of at least a radius, and a line, or on the spot."""
-    ahead, angle = np.array(_direction(number)), _angle(number)
+    ahead, angle = np.array(DIRECTIONS[number]), ANGLES[number]
     straight = ahead * cell
-    yield Move(_direction(number), 0, math.hypot(*straight), np.array([(*straight, angle)]))
+    yield Move(DIRECTIONS[number], 0, math.hypot(*straight), np.array([(*straight, angle)]))
     for turn in (1, -1):
-        after = np.array(_direction((number + turn) % TURNS))
-        bend = _between(number, (number + turn) % TURNS)
+        after = np.array(DIRECTIONS[(number + turn) % TURNS])
+        bend = math.remainder(ANGLES[(number + turn) % TURNS] - angle, math.tau)
         part = np.linspace(0.0, bend, math.ceil(abs(bend) / LATTICE.sample) + 1)
         if radius == 0.0:
             yield Move((0, 0), turn, LATTICE.pivot, np.column_stack([0.0 * part, 0.0 * part, angle + part])[1:])
@@ -308,11 +276,7 @@ def _moves(number: int, cell: float, radius: float) -> Iterator[Move]:
 
 def _straightened(poses: Sequence[Pose]) -> Iterator[Pose]:
     """Yield poses without those in the midst of a straight piece that is driven one way, and without repeats."""
-    poses = [
-        pose
-        for pose, before in zip(poses, [None, *poses], strict=False)
-        if before is None or math.dist(pose, before) > 1e-9
-    ]
+    poses = [*poses[:1], *(pose for before, pose in pairwise(poses) if math.dist(pose, before) > 1e-9)]
     for number, pose in enumerate(poses):
         if 0 < number < len(poses) - 1:
             (ax, ay, a), (x, y, yaw), (bx, by, b) = poses[number - 1], pose, poses[number + 1]

@@ -75,16 +75,7 @@ class _Opening:
 
 
 def find_hold(found: Boxes, agent: Agent, row: int, joint: Joint, reach: float, stands: Stands) -> Hold:
-    """Return how a body opens something.
-
-    Args:
-        found: The boxes.
-        agent: The body.
-        row: The asset.
-        joint: What of it moves.
-        reach: How far the body reaches at the height of its handle, metres.
-        stands: Where the body can be, in the asset's frame.
-    """
+    """Return how a body that reaches so many metres at the height of a handle opens an asset by it; `stands` is in that one's frame."""
     asset, place = found.where(row)
     aside = _aside(found, row, joint)
     walk = Hold(asset.name, joint.name, ())
@@ -126,10 +117,8 @@ def _steps(joint: Joint) -> list[float]:
 def _leaf(asset: Asset, joint: Joint) -> _Leaf:
     """Return what the parts of a leaf sweep."""
     moving = [part.vertices for part in parts(asset) if part.joint == joint]
-    swept = [
-        [np.concatenate([turned(joint, points, end) for end in ends]) for points in moving]
-        for ends in pairwise(_steps(joint))
-    ]
+    steps = pairwise(_steps(joint))
+    swept = [[np.concatenate([turned(joint, points, end) for end in ends]) for points in moving] for ends in steps]
     shapes = np.array([[shapely.MultiPoint(points[:, :2]).convex_hull for points in step] for step in swept])
     low, high = (np.array([[pick(points[:, 2]) for points in step] for step in swept]) for pick in (np.min, np.max))
     rings = [shapely.get_coordinates(shape) for shape in shapes.ravel()]
@@ -144,16 +133,12 @@ def _aside(found: Boxes, row: int, joint: Joint) -> tuple[str, ...]:
     leaf = _leaf(asset, joint)
     others = np.flatnonzero(found.movable & found.placed & ~found.flat)
     near = shapely.dwithin(found.footprints[others], shapely.Point(place[:2]), leaf.far)
-    met = (
-        other
-        for other in others[near].tolist()
-        if other != row
-        and (
-            leaf.meets(float(found.bottom[other]) - place[2], float(found.top[other]) - place[2])
-            & shapely.intersects(leaf.shapes, out_of_room(found.footprints[other], place))
-        ).any()
-    )
-    return tuple(found.names[other] for other in met)
+    met: list[str] = []
+    for other in others[near & (others != row)].tolist():
+        level = leaf.meets(float(found.bottom[other]) - place[2], float(found.top[other]) - place[2])
+        if (level & shapely.intersects(leaf.shapes, out_of_room(found.footprints[other], place))).any():
+            met.append(found.names[other])
+    return tuple(met)
 
 
 def _met(leaf: _Leaf, agent: Agent, heading: float, z: float) -> NDArray[np.object_]:

@@ -163,11 +163,8 @@ class Navigation:
         return tuple(found.names[row] for row in rows if not found.assets[row].lies_about)
 
     def __repr__(self) -> str:
-        return (
-            f"Navigation({self.agent.name}: walkable {self.walkable_ratio:.2f}, "
-            f"reachable {self.reachable_share_chairs_aside:.2f}, "
-            f"unreached {list(self.unreached)})"
-        )
+        shares = f"walkable {self.walkable_ratio:.2f}, reachable {self.reachable_share_chairs_aside:.2f}"
+        return f"Navigation({self.agent.name}: {shares}, unreached {list(self.unreached)})"
 
 
 def navigation(scene: Scene, layout: Layout, agent: Agent | None = None) -> Navigation:

@@ -17,7 +17,7 @@ import shapely
 from shapely import LineString, Polygon
 
 from robolayout.scene import ROUNDING, Agent, Layout, Point, Scene
-from robolayout.verify._boxes import Boxes, boxes
+from robolayout.verify._boxes import boxes
 from robolayout.verify._obstacles import obstacles
 from robolayout.verify._space import Space, disc_space, further_doors, plan_distances, reached_rows
 from robolayout.verify.limits import FINE, JUDGE
@@ -57,16 +57,16 @@ class Passage:
 
 def find_passages(scene: Scene, layout: Layout, agent: Agent, names: Sequence[str]) -> dict[str, Passage]:
     """Return the narrowest passage on the way to each of these placed assets."""
-    search = _Search(scene, boxes(scene, layout), agent)
-    found = search.passages(
-        {name: (search.footprint(name), partial(search.reached, search.row(name))) for name in names}
-    )
-    return {name: replace(p, cut_off=search.stands_near(name)) if p.width == 0 else p for name, p in found.items()}
+    search, found = _Search(scene, layout, agent), boxes(scene, layout)
+    rows = {name: found.names.index(name) for name in names}
+    feet = {name: found.footprints[row] for name, row in rows.items()}
+    passages = search.passages({name: (feet[name], partial(search.reached, row)) for name, row in rows.items()})
+    return {n: replace(p, cut_off=search.stands_near(feet[n])) if p.width == 0 else p for n, p in passages.items()}
 
 
 def find_door_passages(scene: Scene, layout: Layout, agent: Agent, numbers: Sequence[int]) -> dict[int, Passage]:
     """Return the narrowest passage on the way from the first door to the landing of each of these."""
-    search, room = _Search(scene, boxes(scene, layout), agent), scene.room
+    search, room = _Search(scene, layout, agent), scene.room
     thresholds = {number: Polygon(room.landing(room.doors[number], FINE.step)) for number in numbers}
     goals = {f"door {number}": (goal, partial(search.enters, number)) for number, goal in thresholds.items()}
     found = search.passages(goals)
@@ -85,9 +85,9 @@ def largest(holds: Callable[[int], bool], top: int) -> int:
 class _Search:
     """Free spaces of one layout by radius, computed once each."""
 
-    def __init__(self, scene: Scene, found: Boxes, agent: Agent) -> None:
-        self._scene, self._found, self._agent = scene, found, agent
-        self._obstacles = obstacles(found, agent)
+    def __init__(self, scene: Scene, layout: Layout, agent: Agent) -> None:
+        self._scene, self._found, self._agent = scene, boxes(scene, layout), agent
+        self._obstacles = obstacles(self._found, agent)
         self._spaces: dict[int, tuple[Space, list[bool]]] = {}
 
     def passages(self, goals: Mapping[str, tuple[Polygon, Callable[[int], bool]]]) -> dict[str, Passage]:
@@ -103,12 +103,6 @@ class _Search:
                 between, ends = self.neighbours(place, step * FINE.step)
                 result[name] = replace(result[name], point=place, between=between, ends=ends)
         return result
-
-    def footprint(self, name: str) -> Polygon:
-        return self._found.footprints[self.row(name)]
-
-    def row(self, name: str) -> int:
-        return self._found.names.index(name)
 
     def space(self, step: int) -> tuple[Space, list[bool]]:
         """Return the free space of a disc of `step` lattice steps and what it reaches."""
@@ -127,11 +121,11 @@ class _Search:
         zone = further_doors(self._scene.room, step * FINE.step).get(number)
         return zone is not None and self.space(step)[0].main.intersection(zone).area > JUDGE.sliver
 
-    def stands_near(self, name: str) -> bool:
+    def stands_near(self, footprint: Polygon) -> bool:
         """Tell whether the smallest disc could stand within reach of an asset, wherever it came from."""
         free = self.space(1)[0].free
         reach = replace(self._agent, radius=FINE.step).reach
-        return not free.is_empty and free.distance(self.footprint(name)) <= reach + ROUNDING
+        return not free.is_empty and free.distance(footprint) <= reach + ROUNDING
 
     def necks(self, step: int, goals: Mapping[str, Polygon]) -> dict[str, Point]:
         """Return where the ways of the widest disc are cut when it grows by one step."""
@@ -139,8 +133,8 @@ class _Search:
         reopened = grown.free.buffer(1.5 * FINE.step)
         result: dict[str, Point] = {}
         for name, route in find_routes(self._scene.room, space, goals).items():
-            cut = [part for part in shapely.get_parts(route.line.difference(reopened)) if isinstance(part, LineString)]
-            cut = [part for part in cut if part.length > 0]
+            cut = shapely.get_parts(route.line.difference(reopened))
+            cut = [part for part in cut if isinstance(part, LineString) and part.length > 0]
             if cut:
                 middle = max(cut, key=lambda part: part.length).interpolate(0.5, normalized=True)
                 result[name] = (float(middle.x), float(middle.y))

@@ -14,7 +14,7 @@ from functools import cached_property, lru_cache
 import numpy as np
 import shapely
 from numpy.typing import NDArray
-from shapely import Polygon, STRtree
+from shapely import Polygon
 
 from robolayout.scene import Asset, Layout, Scene
 from robolayout.verify._boxes import Boxes, Place, boxes, landings, prisms_at, room_polygon, share, shared_area
@@ -129,12 +129,7 @@ def collisions(found: Boxes, limits: PhysicsLimits, meeting: Sequence[tuple[int,
 
 def _box_pairs(found: Boxes, limits: PhysicsLimits) -> list[tuple[int, int]]:
     """Return all pairs whose boxes share more plan and height than allowed; rugs aside."""
-    rows = np.flatnonzero(found.placed & ~found.flat)
-    footprints = found.footprints[rows]
-    first, second = STRtree(footprints).query(footprints, predicate="intersects")
-    first, second = first[first < second], second[first < second]
-    order = np.lexsort((second, first))
-    a, b = rows[first[order]], rows[second[order]]
+    a, b = found.pairs(np.flatnonzero(found.placed & ~found.flat))
     height = np.minimum(found.top[a], found.top[b]) - np.maximum(found.bottom[a], found.bottom[b])
     tall = height > limits.height + 1e-9
     a, b = a[tall], b[tall]

@@ -29,31 +29,25 @@ RULES_ARE = "They stand beside the demands above and do not change them."  # wha
 
 def rule_rows(report: Report) -> list[list[str]]:
     """Return the table of named rules: rule (with its body where there are several), what it asks, what came out, source."""
-    several = len(report.agents) > 1
-    return [
-        [
-            result.rule.name.replace("_", " ") + (f", {result.agent}" if several else ""),
-            result.rule.asks,
-            result.measured.text,
-            "met" if result.met else "not met",
-            result.rule.origin,
-        ]
-        for result in report.rules
-    ]
+    rows: list[list[str]] = []
+    for result in report.rules:
+        rule, met = result.rule, "met" if result.met else "not met"
+        name = rule.name.replace("_", " ") + (f", {result.agent}" if len(report.agents) > 1 else "")
+        rows.append([name, rule.asks, result.measured.text, met, rule.origin])
+    return rows
 
 
 def _told(report: Report) -> list[str]:
     """Return what is said below the table: chairs that are moved aside, wishes, what lies about, notes."""
-    lines: list[str] = []
-    figures = report.figures
-    if figures["reachable_share"] != figures["reachable_share_chairs_aside"]:
-        lines += [
-            "",
-            "As it stands, no chair is moved; demanded is what is reached once the chairs at a thing are moved aside.",
-        ]
-    lines += _granted(report.wishes)
-    lines += [line for note in (*lying_about(report), *report.notes) for line in ("", note)]
-    return lines
+    told: list[str] = []
+    if report.figures["reachable_share"] != report.figures["reachable_share_chairs_aside"]:
+        told.append(
+            "As it stands, no chair is moved; demanded is what is reached once the chairs at a thing are moved aside."
+        )
+    if wishes := report.wishes:
+        granted = sum(wish["holds"] == (wish["weight"] > 0) for wish in wishes)
+        told.append(f"Of {len(wishes)} wishes of the program, which nobody demands, {granted} came true.")
+    return [line for text in (*told, *lying_about(report), *report.notes) for line in ("", text)]
 
 
 def lying_about(report: Report) -> list[str]:
@@ -109,12 +103,6 @@ def _ledger(asked: Sequence[AskedRow]) -> list[str]:
     return [*lines, "", "## What was checked", ""]
 
 
-def _granted(wishes: Sequence[Mapping[str, Any]]) -> list[str]:
-    """Return how many wishes came true."""
-    granted = sum(wish["holds"] == (wish["weight"] > 0) for wish in wishes)
-    return ["", f"Of {len(wishes)} wishes of the program, which nobody demands, {granted} came true."] if wishes else []
-
-
 def _listed(sentences: Iterable[str]) -> list[str]:
     return [f"- {plain(sentence)}" for sentence in sentences]
 
@@ -131,9 +119,8 @@ def _driving(report: AgentReport) -> list[str]:
         return []
     back = {name: drive.reversals for name, drive in report.drives.items() if drive.reversals}
     times = ", ".join(f"{plain(name)} {count}" for name, count in back.items())
-    return [
-        f"It drives to {len(report.drives)} things" + (f"; reversals: {times}." if times else ", without a reversal.")
-    ]
+    how = f"; reversals: {times}" if times else ", without a reversal"
+    return [f"It drives to {len(report.drives)} things{how}."]
 
 
 def _usable(use: Use) -> str:

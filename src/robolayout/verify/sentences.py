@@ -54,9 +54,8 @@ def _shut_sentence(nav: Navigation, door: ShutDoor) -> str:
     """Return which door is cut off, by what, and what lies beyond it."""
     agent, passage, needed = nav.agent.name, nav.door_passages[door.number], 2 * nav.agent.radius
     wall = nav.scene.room.doors[door.number].wall
-    width = (
-        "no way to it, not even for a disc of 1 cm" if passage.cut_off else f"narrowest passage {passage.width:.2f} m"
-    )
+    none = "no way to it, not even for a disc of 1 cm"
+    width = none if passage.cut_off else f"narrowest passage {passage.width:.2f} m"
     between = passage.sides or " and ".join(nav.shutting(door)[: TOLD.named])
     found = f"Door {door.number} in wall {wall} cannot be reached by {agent}: {width}, needs {needed:.2f} m"
     found += f", between {between}." if between else "."

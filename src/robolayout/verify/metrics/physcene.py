@@ -9,7 +9,6 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-import shapely
 from numpy.typing import NDArray
 
 from robolayout._grid import components, window_count
@@ -59,15 +58,11 @@ def physcene(scene: Scene, layout: Layout) -> dict[str, float]:
 
 def _overlapping(found: Boxes, rows: NDArray[np.intp]) -> NDArray[np.bool_]:
     """Return for each placed object whether its box shares volume with any other."""
-    hit = np.zeros(len(rows), dtype=bool)
-    first, second = shapely.STRtree(found.footprints[rows]).query(found.footprints[rows], predicate="intersects")
-    first, second = first[first < second], second[first < second]
-    a, b = rows[first], rows[second]
+    a, b = found.pairs(rows)
     height = np.minimum(found.top[a], found.top[b]) - np.maximum(found.bottom[a], found.bottom[b])
     area = shared_area(found.footprints[a], found.footprints[b])
     both = (height > PHYSCENE.rounding) & (area > PHYSCENE.rounding)
-    hit[first[both]] = hit[second[both]] = True
-    return hit
+    return np.isin(rows, (a[both], b[both]))
 
 
 def _walkable(room: Room, picture: Raster, numbered: NDArray[np.int32], counts: NDArray[np.intp]) -> float:

@@ -65,11 +65,9 @@ def sceneeval(scene: Scene, layout: Layout) -> dict[str, float]:
 
 def colliding(found: Boxes) -> set[str]:
     """Return objects whose prisms' surfaces still meet another's after that one is moved 5 mm off."""
-    rows = np.flatnonzero(found.placed)
-    first, second = shapely.STRtree(found.footprints[rows]).query(found.footprints[rows], predicate="intersects")
     hit: set[str] = set()
-    for a, b in zip(rows[first].tolist(), rows[second].tolist(), strict=True):
-        if a >= b or found.lies_in(a, b, SUPPORT.near) or found.lies_in(b, a, SUPPORT.near):
+    for a, b in zip(*(rows.tolist() for rows in found.pairs(np.flatnonzero(found.placed))), strict=True):
+        if found.lies_in(a, b, SUPPORT.near) or found.lies_in(b, a, SUPPORT.near):
             continue
         contacts = _contacts(found, a, b, (0.0, 0.0, 0.0))
         if contacts and _contacts(found, a, b, _nudge(found, b, contacts)):
@@ -138,9 +136,8 @@ def _side_zone(footprint: Polygon, side: str) -> BaseGeometry:
 def out_of_bounds(scene: Scene, found: Boxes, row: int) -> bool:
     """Tell whether less than 99 % of random points on an object's box lie above the floor."""
     depth, width, height = scene.assets[row].size
-    count = int(
-        min(max(SCENEEVAL.points_per_volume * depth * width * height, SCENEEVAL.least_points), SCENEEVAL.most_points)
-    )
+    wanted = max(SCENEEVAL.points_per_volume * depth * width * height, SCENEEVAL.least_points)
+    count = int(min(wanted, SCENEEVAL.most_points))
     rng = np.random.default_rng(0)
     areas = np.array([width * height, depth * height, depth * width])
     axis = rng.choice(3, size=count, p=areas / areas.sum())
