@@ -68,7 +68,7 @@ def disc_space(room: Room, obstacles: Obstacles, radius: float) -> Space:
     free = all_free(room, obstacles, radius)
     parts = components(free)
     zone = entry_zone(room, 0, eroded, radius) if room.doors else None
-    main = _entered(parts, zone)
+    main = met(parts, zone)
     if len(obstacles.shelter) and len(parts) > 1:
         hidden = shapely.union_all(obstacles.shelter)
         shapely.prepare(hidden)
@@ -147,17 +147,13 @@ def entry_zone(room: Room, number: int, eroded: BaseGeometry, radius: float) -> 
     return Polygon(room.landing(room.doors[number], max(OPENINGS.landing_depth, 2 * radius)))
 
 
-def met(parts: NDArray[np.object_], zone: Polygon) -> Polygon:
-    """Return the polygon that shares most with a zone; an empty one where none shares anything with it."""
-    shared = shapely.area(shapely.intersection(parts, zone))
-    best = int(np.argmax(shared)) if len(parts) else 0
-    return parts[best] if len(parts) and shared[best] > 0 else Polygon()
-
-
-def _entered(parts: NDArray[np.object_], zone: Polygon | None) -> Polygon:
-    if zone is None:
+def met(parts: NDArray[np.object_], zone: Polygon | None) -> Polygon:
+    """Return the polygon that shares most with a zone (None: the first); an empty one where none shares anything with it."""
+    if zone is None or not len(parts):
         return parts[0] if len(parts) else Polygon()
-    return met(parts, zone)
+    shared = shapely.area(shapely.intersection(parts, zone))
+    best = int(np.argmax(shared))
+    return parts[best] if shared[best] > 0 else Polygon()
 
 
 @lru_cache(maxsize=1024)

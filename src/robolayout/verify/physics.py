@@ -20,6 +20,8 @@ from robolayout.scene import Asset, Layout, Scene
 from robolayout.verify._boxes import Boxes, Place, boxes, landings, prisms_at, room_polygon, share, shared_area
 from robolayout.verify.limits import PhysicsLimits
 
+CHECKS = ("placed", "collision_free", "in_boundary", "supported")  # the verdicts on an asset
+
 
 @dataclass(frozen=True)
 class Collision:
@@ -61,18 +63,13 @@ class Physics:
     @cached_property
     def shares(self) -> dict[str, float]:
         """The shares over all assets, by the names of DESIGN section 8."""
-        return {
-            "placed_share": share(list(self.placed.values())),
-            "collision_free_share": share(list(self.collision_free.values())),
-            "in_boundary_share": share(list(self.in_boundary.values())),
-            "supported_share": share(list(self.supported.values())),
-        }
+        return {f"{check}_share": share(list(getattr(self, check).values())) for check in CHECKS}
 
     @cached_property
     def failing(self) -> tuple[str, ...]:
         """Names of assets that fail any check or block a door, in the order of the scene."""
         blocking = {item.asset for item in self.obstructions}
-        checks = (self.placed, self.collision_free, self.in_boundary, self.supported)
+        checks = [getattr(self, check) for check in CHECKS]
         return tuple(name for name in self.placed if name in blocking or not all(check[name] for check in checks))
 
     @property

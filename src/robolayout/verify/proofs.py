@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import itertools
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from functools import lru_cache
 
@@ -105,8 +105,11 @@ def exempt_from_use(scene: Scene, agent: Agent) -> dict[str, str]:
 
 def kept_out(scene: Scene, agent: Agent) -> tuple[str, ...]:
     """Return what keeps a body out of the room even if that is empty, each with its proof in numbers."""
-    found = list(body_misfits(scene, agent))
-    floor, radius = room_polygon(scene.room), agent.radius
+    room, floor, radius = scene.room, room_polygon(scene.room), agent.radius
+    found = list(misfits(room, 0, agent)) if room.doors else []
+    if room.wall_height < agent.height - ROUNDING:
+        high = f"The room is {room.wall_height:.2f} m high, {agent.name} is {agent.height:.2f} m"
+        found.append(f"{high}: it cannot stand in it.")
     if floor.buffer(-radius).is_empty:
         largest = 2 * float(shapely.maximum_inscribed_circle(floor, 1e-3).length)
         fits = f"the largest disc that fits into the empty room is {largest:.2f} m wide"
@@ -192,15 +195,6 @@ def _shut_out(scene: Scene, agent: Agent) -> list[str]:
         f"Even in the empty room {agent.name} cannot come in by door 0: the room leaves a disc of {widest:.2f} m the way in, "
         f"{agent.name} needs {2 * agent.radius:.2f} m."
     ]
-
-
-def body_misfits(scene: Scene, agent: Agent) -> Iterator[str]:
-    """Yield what keeps a body out of a room, whatever the furniture: its door, its height."""
-    room, name = scene.room, agent.name
-    if room.doors:
-        yield from misfits(room, 0, agent)
-    if room.wall_height < agent.height - ROUNDING:
-        yield f"The room is {room.wall_height:.2f} m high, {name} is {agent.height:.2f} m: it cannot stand in it."
 
 
 def remedies(nav: Navigation) -> Remedies:

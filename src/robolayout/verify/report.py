@@ -17,15 +17,13 @@ from robolayout.verify.agent_report import AgentReport, finite
 from robolayout.verify.limits import Demands
 from robolayout.verify.metrics import published_metrics
 from robolayout.verify.moves import Move, moves
-from robolayout.verify.physics import Physics
+from robolayout.verify.physics import CHECKS, Physics
 from robolayout.verify.present import html, label, markdown
 from robolayout.verify.rules import RuleResult, rule_results
 from robolayout.words import AskedRow, share_met
 
 if TYPE_CHECKING:
     from robolayout.program import Program
-
-CHECKS = ("placed", "collision_free", "in_boundary", "supported")  # the physical verdicts of an asset
 
 
 @dataclass(frozen=True)

@@ -199,31 +199,23 @@ def _turn(a: Point, b: Point, c: Point) -> float:
 def _pull(start: Point, portals: list[Portal], goal: Point) -> tuple[Point, ...]:
     """Pull a string tight through portals (the funnel algorithm); returns its corners."""
     gates = [*portals, (goal, goal)]
-    apex = start
-    points = [apex]
-    left, right = gates[0]
-    left_at = right_at = 0
-    at = 0
+    apex, points, at = start, [start], 0
+    ends, since = (
+        list(gates[0]),
+        [0, 0],
+    )  # left and right side of the cone that is seen from the apex, and the gates they are from
     while at < len(gates):
-        new_left, new_right = gates[at]
-        if _turn(apex, right, new_right) >= 0:
-            if apex == right or _turn(apex, left, new_right) < 0:
-                right, right_at = new_right, at
-            else:
-                points.append(left)
-                apex, at = left, left_at + 1
-                left = right = apex
-                left_at = right_at = at - 1
+        for side, sign in ((1, 1.0), (0, -1.0)):
+            new, other = gates[at][side], ends[1 - side]
+            if sign * _turn(apex, ends[side], new) < 0:
                 continue
-        if _turn(apex, left, new_left) <= 0:
-            if apex == left or _turn(apex, right, new_left) > 0:
-                left, left_at = new_left, at
-            else:
-                points.append(right)
-                apex, at = right, right_at + 1
-                left = right = apex
-                left_at = right_at = at - 1
-                continue
-        at += 1
+            if apex != ends[side] and sign * _turn(apex, other, new) >= 0:  # the sides cross: a corner of the way
+                points.append(other)
+                apex, at = other, since[1 - side] + 1
+                ends, since = [apex, apex], [at - 1, at - 1]
+                break
+            ends[side], since[side] = new, at
+        else:
+            at += 1
     points.append(goal)
     return tuple(point for point, before in zip(points, [None, *points], strict=False) if point != before)

@@ -8,6 +8,7 @@ from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from robolayout.constraints import Outcome
 from robolayout.scene import Agent, Layout, Scene, load_agents
 from robolayout.verify.agent_report import AgentReport
 from robolayout.verify.limits import Demands
@@ -60,12 +61,8 @@ def _measure(scene: Scene, layout: Layout, statement: Statement, placed: set[str
     """Measure one statement; it fails if one of its assets is unplaced."""
     relation = statement.relation
     missing = [name for name in relation.asset_names() if name not in placed]
-    if missing:
-        met, value, limit, unit, text = False, math.nan, math.nan, "", f"{' and '.join(missing)} not placed"
-    else:
-        outcome = relation.check(scene, layout)
-        met, value, limit, unit, text = outcome.met, outcome.value, outcome.limit, outcome.unit, outcome.text
+    unplaced = Outcome(False, math.nan, math.nan, "", f"{' and '.join(missing)} not placed")
+    found = vars(unplaced if missing else relation.check(scene, layout))
     return StatementResult(
-        statement.number, statement.line, statement.source, relation.sentence(), met, value, limit, unit, text,
-        by=statement.by,
-    )  # fmt: skip
+        statement.number, statement.line, statement.source, relation.sentence(), **found, by=statement.by
+    )
