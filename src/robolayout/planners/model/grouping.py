@@ -7,6 +7,7 @@ A scene has `bed-0`, `lamp-0`, `lamp-1`. A model that answers [bed-0], [lamp[0],
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import chain, count
 
 from pydantic import BaseModel, Field
 
@@ -47,15 +48,12 @@ def complaint(scene: Scene, grouping: Grouping) -> str | None:
     unknown = list(dict.fromkeys(item for item in written if item.strip() not in known))
     missing = [asset.name for asset in scene.assets if asset.name not in named]
     twice = list(dict.fromkeys(name for name in named if named.count(name) > 1))
-    parts = [
-        f"{words}: {_listed(names)}."
-        for words, names in (
-            ("These things are in no group", missing),
-            ("These things are in more than one group", twice),
-            ("These names do not exist", unknown),
-        )
-        if names
-    ]
+    faults = (
+        ("These things are in no group", missing),
+        ("These things are in more than one group", twice),
+        ("These names do not exist", unknown),
+    )
+    parts = [f"{words}: {_listed(names)}." for words, names in faults if names]
     again = "Answer again with every thing in exactly one group, under its own name."
     return " ".join([*parts, again]) if parts else None
 
@@ -92,10 +90,8 @@ def _words(text: str) -> str:
 
 def _fresh(label: str, labels: set[str]) -> str:
     """Return a label that no other group has."""
-    number, unique = 1, label
-    while unique in labels:
-        number += 1
-        unique = f"{label} {number}"
+    numbered = (f"{label} {number}" for number in count(2))
+    unique = next(one for one in chain([label], numbered) if one not in labels)
     labels.add(unique)
     return unique
 

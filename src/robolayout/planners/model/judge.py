@@ -16,18 +16,9 @@ from pydantic import BaseModel, Field
 
 from robolayout._errors import InputError, ModelError
 from robolayout.planners._types import Pictures
+from robolayout.planners.model import prompt as texts
 from robolayout.planners.model.exchange import Question
 from robolayout.planners.model.options import ModelOptions
-from robolayout.planners.model.prompt import (
-    PROMPT_VERSION,
-    digest,
-    given_data,
-    image_label,
-    images_in_order,
-    poses_text,
-    prompt,
-    quoted,
-)
 from robolayout.scene import Layout, Scene
 
 if TYPE_CHECKING:
@@ -72,7 +63,7 @@ class Opinion:
         reasons = dict.fromkeys(" ".join(r.split())[:LONGEST_REASON] for vote in self.votes for r in vote.reasons[:5])
         return {
             "model": self.model,
-            "prompt_version": PROMPT_VERSION,
+            "prompt_version": texts.PROMPT_VERSION,
             **scores,
             "psa": self.psa,
             "votes": [vote.model_dump() for vote in self.votes],
@@ -107,21 +98,19 @@ class ModelJudge:
         return "named" if self._client.tape.replay else "drawn"
 
     def opinion(self, scene: Scene, layout: Layout, images: Mapping[str, bytes], *, valid: bool) -> Opinion:
-        """Return what the model thinks of a finished room.
+        """Return what the model thinks of a finished room, or raise the first error where no vote came.
 
         Args:
-            scene: What was asked for.
             layout: Where everything stands; a recorded vote belongs to it, to the centimetre.
             images: "finished top" and "finished side" as PNG bytes.
             valid: Whether every thing is inside the room and overlaps nothing.
-
-        Raises:
-            ModelError: No vote came.
         """
-        words = f"# What was asked for\n\n{quoted(scene.task_description)}\n{quoted(scene.layout_criteria)}"
-        shown = tuple((image_label(name), data) for name, data in images_in_order(images))
-        key = digest([given_data(scene, None, "judge"), poses_text(scene, layout)])
-        first = Question("judge", scene.name, 1, 1, prompt("judge"), (words, *shown), key, FREEDOM, self.seed * 1000)
+        words = f"# What was asked for\n\n{texts.quoted(scene.task_description)}\n{texts.quoted(scene.layout_criteria)}"
+        shown = tuple((texts.image_label(name), data) for name, data in texts.images_in_order(images))
+        key = texts.digest([texts.given_data(scene, None, "judge"), texts.poses_text(scene, layout)])
+        first = Question(
+            "judge", scene.name, 1, 1, texts.prompt("judge"), (words, *shown), key, FREEDOM, self.seed * 1000
+        )
         asked = [replace(first, sample=i + 1, seed=first.seed + i) for i in range(self.votes)]
         answers = self._client.ask(asked, Vote)
         votes = tuple(answer for answer in answers if isinstance(answer, Vote))

@@ -125,8 +125,7 @@ class ModelPlanner:
     def furnish(self, text: str, *, assets: Path | None = None) -> tuple[Scene, Understanding]:
         """Return a scene for a sentence, and what was understood; by rules where the model cannot.
 
-        Args:
-            assets: Folder of a user's own assets; its catalogue's things are offered beside the built-in ones.
+        The things of a catalogue in a user's own folder of assets are offered beside the built-in ones.
         """
         reader = Furnisher(text, assets)
         key = texts.digest({"kind": "room", "text": text, "kinds": list(reader.known)})
@@ -192,12 +191,7 @@ class ModelPlanner:
         return text in self._client.cut
 
     def rate(self, scene: Scene, layout: Layout, images: Mapping[str, bytes], report: str) -> Rating:
-        """Return the model's own rating of a finished room.
-
-        Args:
-            images: "finished top" and "finished side" as PNG bytes.
-            report: What the judge measured, in words.
-        """
+        """Return the model's own rating of a finished room, seen from its top and side, and of what the judge measured."""
         parts = [
             texts.request_text(scene, None),
             f"# Where everything stands\n\n{texts.poses_text(scene, layout)}\n\n# What was measured\n\n{report}",

@@ -13,6 +13,7 @@ from pydantic import BaseModel, Field
 from robolayout._errors import SceneError
 from robolayout._reading import Checker
 from robolayout.assets import CATALOGUE, find_category
+from robolayout.assets.category import PLACES
 from robolayout.planners.sentence import SIZES, Understanding, asset_entry
 from robolayout.scene import Layout, Pose, Scene, agent_names, scene_from_dict, variable_name
 from robolayout.words import read_words
@@ -71,14 +72,18 @@ class Choice:
 def choices(folder: Path | None) -> dict[str, Choice]:
     """Return the built-in kinds by name, then those of a user's own catalogue, which take the place of built-in ones."""
     found = {kind.name: Choice(kind.size, kind.places, asset_entry(kind, kind.size)) for kind in CATALOGUE.values()}
-    if folder is None or not (folder / FILE).is_file():
+    if folder is None or not _has_catalogue(folder):
         return found
     data = _CHECK.mapping(_CHECK.read_json(folder / FILE, "catalogue"), FILE)
     keys = _CHECK.mapping(_CHECK.required(data, "assets", FILE), f"{FILE}: assets")
     for own in scene_from_dict(_bare({key: {"from": key} for key in keys}), base=folder, asset_dir=folder).assets:
-        flags = {"floor": own.on_floor, "wall": own.on_wall, "ceiling": own.on_ceiling, "object": own.on_object}
-        found[own.name] = Choice(own.size, tuple(place for place, on in flags.items() if on), {"from": own.name})
+        places = tuple(place for place in PLACES if getattr(own, f"on_{place}"))
+        found[own.name] = Choice(own.size, places, {"from": own.name})
     return found
+
+
+def _has_catalogue(folder: Path | None) -> bool:
+    return folder is not None and (folder / FILE).is_file()
 
 
 def choices_text(known: Mapping[str, Choice]) -> str:
@@ -88,14 +93,10 @@ def choices_text(known: Mapping[str, Choice]) -> str:
 
 
 class Furnisher:
-    """Reads what a model answered to a sentence.
-
-    Args:
-        folder: Folder of a user's own assets, with a catalogue or without.
-    """
+    """Reads what a model answered to a sentence; a user's own assets are in a folder, with a catalogue or without."""
 
     def __init__(self, text: str, folder: Path | None) -> None:
-        self.text, self.folder, self.known = text, folder, choices(folder)
+        self.text, self.folder, self.known = text.strip(), folder, choices(folder)
 
     def complaint(self, answer: Furnishing) -> str | None:
         """Return what is wrong with an answer, for the model to mend; None if nothing is."""
@@ -131,35 +132,27 @@ class Furnisher:
         for thing in answer.things:
             (wished if thing.asked else added)[thing.kind] += thing.count
         shape = "rectangular" if len(answer.corners) == 4 else f"{len(answer.corners)}-cornered"
+        size, height = (round(x1 - x0, 2), round(y1 - y0, 2)), scene.room.wall_height
+        kind, *assumed = (" ".join(said.split()) for said in (answer.room_type, *answer.assumed))
         return Understanding(
-            self.text.strip(),
-            " ".join(answer.room_type.split()),
-            (round(x1 - x0, 2), round(y1 - y0, 2)),
-            shape,
-            scene.room.wall_height,
-            answer.body,
-            wished,
-            added,
-            tuple(" ".join(sentence.split()) for sentence in answer.assumed),
-            (),
+            self.text, kind, size, shape, height, answer.body, wished, added, tuple(assumed), ignored=()
         )
 
     def _data(self, answer: Furnishing) -> dict[str, object]:
         """Return an answer as the content of a scene file."""
-        counts: dict[str, int] = {}
-        assets: dict[str, object] = {}
+        counts, assets = Counter[str](), dict[str, object]()
         for thing in answer.things:
             stem, entry = variable_name(thing.kind), self._entry(thing)
             for _ in range(thing.count):
-                assets[f"{stem}-{counts.setdefault(stem, 0)}"] = entry
+                assets[f"{stem}-{counts[stem]}"] = entry
                 counts[stem] += 1
         data = _bare(assets) | {
-            "task_description": self.text.strip(),
+            "task_description": self.text,
             "boundary": {"floor_vertices": [[*at, 0.0] for at in answer.corners], "wall_height": answer.wall_height},
             "doors": [door.model_dump(exclude={"sill"}) for door in answer.doors],
             "windows": [window.model_dump() for window in answer.windows],
         }
-        if self.folder is None or not (self.folder / FILE).is_file():
+        if not _has_catalogue(self.folder):
             del data["catalogue"]
         if answer.body is not None and answer.body not in agent_names():
             raise SceneError(f"there is no body {answer.body!r}; known are {', '.join(agent_names())}.")
@@ -171,11 +164,12 @@ class Furnisher:
         size = thing.size or (choice and choice.size)
         place = thing.place or (choice and choice.places[0])
         if size is None or place is None or len(size) != 3:
-            needed = "give its size (depth, width, height) and its place"
-            raise SceneError(f"{thing.kind!r} is no kind of the list: {needed}.")
+            raise SceneError(
+                f"{thing.kind!r} is no kind of the list: give its size (depth, width, height) and its place."
+            )
         entry: dict[str, object] = dict(choice.entry) if choice else {"category": thing.kind}
         if choice is None or thing.place is not None:
-            entry |= {f"on{at.title()}": at == place for at in ("floor", "wall", "ceiling", "object")}
+            entry |= {f"on{at.title()}": at == place for at in PLACES}
         if "from" not in entry:
             entry["assetMetadata"] = {"boundingBox": dict(zip("xyz", size, strict=True))}
         return entry | ({"description": thing.description} if thing.description else {})
@@ -191,9 +185,5 @@ def _like(words: str) -> Choice | None:
 def _bare(assets: Mapping[str, object]) -> dict[str, object]:
     """Return a scene file's content of a plain room, with a user's catalogue."""
     square = [[0.0, 0.0, 0.0], [50.0, 0.0, 0.0], [50.0, 50.0, 0.0], [0.0, 50.0, 0.0]]
-    return {
-        "task_description": "",
-        "boundary": {"floor_vertices": square, "wall_height": 20.0},
-        "catalogue": FILE,
-        "assets": dict(assets),
-    }
+    boundary = {"floor_vertices": square, "wall_height": 20.0}
+    return {"task_description": "", "boundary": boundary, "catalogue": FILE, "assets": dict(assets)}
