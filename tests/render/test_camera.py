@@ -7,8 +7,7 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from robolayout.render import Camera, eye_camera, fitted_camera, spherical_camera
-from robolayout.render.camera import room_points
+from robolayout.render.camera import Camera, eye_camera, fitted_camera, room_points, spherical_camera
 from robolayout.scene import Agent, Pose
 
 coordinate = st.floats(-5, 5)

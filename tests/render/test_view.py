@@ -7,10 +7,10 @@ import pytest
 
 from robolayout._errors import InputError, LayoutError, UnknownNameError
 from robolayout.assets import Material, Part
-from robolayout.render import Studio, _gl, fitted_camera, render_asset, render_view
+from robolayout.render import Studio, _gl, render_asset, render_view
 from robolayout.render._cutaway import hidden_parts, near_walls
 from robolayout.render._mesh import parts_mesh
-from robolayout.render.camera import room_points
+from robolayout.render.camera import fitted_camera, room_points
 from robolayout.render.view import make_renderer
 from robolayout.scene import Asset, Layout, Pose, Room, Scene
 

@@ -24,7 +24,7 @@ from robolayout.assets import Joint, Material, Part, category_of
 from robolayout.assets.textures import media_type, picture
 from robolayout.export._bodies import BODIES, Link, Thing, things
 from robolayout.export._exporter import Options, Rows, unique
-from robolayout.export._mesh import Box, FloatArray, Surface, base_color, linear, quaternion, welded
+from robolayout.export._mesh import FloatArray, Surface, base_color, linear, quaternion, welded
 from robolayout.export._scenery import SCENERY, lamp, overview
 from robolayout.scene import Asset, Layout, Pose, Room, Scene
 
@@ -209,7 +209,9 @@ class _KindLayer:
         for shape in link.shapes:
             path = _free(folder, shape.part.name, self.taken)
             if not shape.seen and shape.box is not None:
-                prim = _cube(self.stage, path, shape.box)
+                cube = UsdGeom.Cube.Define(self.stage, path)
+                _put(cube, np.diag(shape.box.half) @ shape.box.rotation.T, shape.box.center)
+                prim = cube.GetPrim()
             elif len((surface := welded(shape.part)).indices):
                 prim = _mesh(self.stage, path, surface, shape.part)
                 self.bind(prim, self.look(folder, shape.part.material))
@@ -286,12 +288,6 @@ class _KindLayer:
         physics.CreateDynamicFrictionAttr(value)
         physics.CreateRestitutionAttr(0.0)
         return look
-
-
-def _cube(stage: Any, path: str, box: Box) -> Any:
-    cube = UsdGeom.Cube.Define(stage, path)
-    _put(cube, np.diag(box.half) @ box.rotation.T, box.center)
-    return cube.GetPrim()
 
 
 def _mesh(stage: Any, path: str, surface: Surface, part: Part) -> Any:

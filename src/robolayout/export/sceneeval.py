@@ -52,27 +52,18 @@ def make(scene: Scene, layout: Layout, options: Options) -> Bundle:
         kind = kind_name(asset.category, pieces, asset.description, asset.size)  # without a dot in it
         files |= {} if f"{FOLDER}/{kind}/data.json" in files else _described(asset, kind, pieces)
         parent = supporter(asset, scene, layout)
-        held = _held(asset, pose, scene.room) if parent is None and hangs(asset, scene, layout) else ""
-        objects.append(
-            {
-                "id": asset.name,
-                "index": index[asset.name],
-                "modelId": f"{PREFIX}.{kind}",
-                "parentId": parent or held,
-                "parentIndex": -1 if parent is None else index[parent],
-                "transform": {"rows": 4, "cols": 4, "data": _matrix(pose)},
-                "metadata": facts(asset, movable=is_movable(asset, scene, layout)),
-            }
-        )
+        held = ""
+        if parent is None and hangs(asset, scene, layout):
+            wall = min(scene.room.walls, key=lambda wall: wall.distance((pose.x, pose.y)))
+            held = f"{ROOM}|wall|{wall.index}" if asset.on_wall else f"{ROOM}|ceiling"
+        entry: Json = {"id": asset.name, "index": index[asset.name], "modelId": f"{PREFIX}.{kind}"}
+        entry |= {"parentId": parent or held, "parentIndex": -1 if parent is None else index[parent]}
+        entry["transform"] = {"rows": 4, "cols": 4, "data": _matrix(pose)}
+        entry["metadata"] = facts(asset, movable=is_movable(asset, scene, layout))
+        objects.append(entry)
     state: Json = {"version": "scene@1.0.2", "id": scene.name, "up": [0, 0, 1], "front": [0, 1, 0], "unit": 1.0}
     state |= {"assetSource": [PREFIX], "arch": _architecture(scene.room), "object": objects}
     return dump_json({"format": "sceneState", "scene": state, "selected": []}), files
-
-
-def _held(asset: Asset, pose: Pose, room: Room) -> str:
-    """Return the id of the part of the room that something hangs on: the nearest wall, or the ceiling."""
-    wall = min(room.walls, key=lambda wall: wall.distance((pose.x, pose.y)))
-    return f"{ROOM}|wall|{wall.index}" if asset.on_wall else f"{ROOM}|ceiling"
 
 
 def _matrix(pose: Pose) -> list[float]:
@@ -84,13 +75,8 @@ def _matrix(pose: Pose) -> list[float]:
 
 def _architecture(room: Room) -> Json:
     """Return floor and walls with their holes; a hole is a rectangle along its wall and up from the floor."""
-    floor: Json = {
-        "id": f"{ROOM}|floor",
-        "roomId": ROOM,
-        "type": "Floor",
-        "depth": 0.05,
-        "points": [[x, y, 0.0] for x, y in room.vertices],
-    }
+    floor: Json = {"id": f"{ROOM}|floor", "roomId": ROOM, "type": "Floor", "depth": 0.05}
+    floor["points"] = [[x, y, 0.0] for x, y in room.vertices]
     walls: list[Json] = []
     for wall in room.walls:
         holes = [("Door", door) for door in room.doors if door.wall == wall.index]

@@ -125,6 +125,7 @@ def _agent(report: AgentReport, marks: PlanMarks, demands: Demands) -> dict[str,
     """Return what the page shows of one agent; the assets are in the order of the scene."""
     nav, agent = report.navigation, report.agent
     names = [asset.name for asset in nav.scene.assets]
+    beyond = Polygon(nav.scene.room.vertices).difference(nav.main.buffer(agent.reach, quad_segs=8))
     return {
         "name": agent.name,
         "title": agent.title or agent.name,
@@ -136,7 +137,7 @@ def _agent(report: AgentReport, marks: PlanMarks, demands: Demands) -> dict[str,
         "figures": _figures(report, demands),
         "free": _areas(Polygon(rings[0], rings[1:]) for rings in marks.free),
         "islands": _areas(Polygon(rings[0], rings[1:]) for rings in marks.islands),
-        "beyond": _areas(shapely.get_parts(_beyond(report))),
+        "beyond": _areas(shapely.get_parts(beyond)),
         "routes": [[v for point in marks.routes.get(name, ()) for v in _listed(point)] for name in names],
         "passage": [[_listed(a), _listed(b), f"{width:.2f} m"] for a, b, width in marks.passages],
         "turns": [[*_listed(center), _millimetres(across)] for center, across in marks.circles],
@@ -166,12 +167,6 @@ def _rings(shape: Polygon) -> list[list[int]]:
 def _areas(shapes: Iterable[BaseGeometry]) -> list[list[list[int]]]:
     """Return the rings of every polygon that is large enough to be seen."""
     return [_rings(shape) for shape in shapes if isinstance(shape, Polygon) and shape.area > CONTENT.smallest]
-
-
-def _beyond(report: AgentReport) -> BaseGeometry:
-    """Return the part of the floor that the body cannot reach from anywhere."""
-    nav = report.navigation
-    return shapely.difference(Polygon(nav.scene.room.vertices), nav.main.buffer(report.agent.reach, quad_segs=8))
 
 
 def _body(agent: Agent) -> str:

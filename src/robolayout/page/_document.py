@@ -32,9 +32,11 @@ def sealed(template: str, script: str, style: str, data: object, *, images: str 
 
     It has {{policy}}, {{style}}, {{script}}, {{data}} and the names of further parts.
     """
+    shown = f"img-src {images}; " if images != "'none'" else ""
     found = {
         **parts,
-        "policy": _policy(script, style, images),
+        "policy": f"default-src 'none'; script-src '{_hash(script)}'; style-src '{_hash(style)}'; {shown}"
+        "base-uri 'none'; form-action 'none'",
         "style": style,
         "script": script,
         "data": json.dumps(data, separators=(",", ":"), allow_nan=False).translate(_ESCAPES),
@@ -52,15 +54,6 @@ def _asked(rows: Sequence[Sequence[str]]) -> str:
     heads = "<tr><th>words</th><th>understood as</th><th>verdict</th><th>measured</th></tr>"
     table = f"<details><summary>Asked: {met} of {judged} met</summary><table>{heads}{lines}</table></details>"
     return table.encode("ascii", "xmlcharrefreplace").decode()
-
-
-def _policy(script: str, style: str, images: str) -> str:
-    """Return a policy that allows these two texts, pictures from where it is said, and nothing else."""
-    shown = f"img-src {images}; " if images != "'none'" else ""
-    return (
-        f"default-src 'none'; script-src '{_hash(script)}'; style-src '{_hash(style)}'; {shown}"
-        "base-uri 'none'; form-action 'none'"
-    )
 
 
 def _hash(text: str) -> str:

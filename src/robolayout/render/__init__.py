@@ -20,9 +20,6 @@ if TYPE_CHECKING:
     from robolayout.render.body import body_text as body_text
     from robolayout.render.body import draw_body as draw_body
     from robolayout.render.camera import Camera as Camera
-    from robolayout.render.camera import eye_camera as eye_camera
-    from robolayout.render.camera import fitted_camera as fitted_camera
-    from robolayout.render.camera import spherical_camera as spherical_camera
     from robolayout.render.curves import draw_losses as draw_losses
     from robolayout.render.marks import PlanMarks as PlanMarks
     from robolayout.render.model_plan import model_plan as model_plan

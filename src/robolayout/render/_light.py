@@ -15,7 +15,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robolayout._color import encoded
-from robolayout.render._mesh import Mesh
 from robolayout.render._style import LIGHT
 from robolayout.render.camera import Camera
 
@@ -48,12 +47,6 @@ def sun_directions(camera: Camera) -> NDArray[np.float32]:
     spread = 0.035 * (np.cos(angles)[:, None] * side + np.sin(angles)[:, None] * other)
     rays = center + spread
     return (rays / np.linalg.norm(rays, axis=1, keepdims=True)).astype(np.float32)
-
-
-def sample_distance(mesh: Mesh) -> float:
-    """Return the edge length in metres to which a mesh is refined: 0.4 m, more in large rooms."""
-    extent = np.ptp(mesh.corners.reshape(-1, 3), axis=0) if len(mesh) else np.zeros(3)
-    return max(0.4, float(extent.max()) / 30)
 
 
 def _unit(vector: NDArray[np.float64]) -> NDArray[np.float64]:

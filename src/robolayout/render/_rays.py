@@ -39,7 +39,8 @@ class Lit:
 
 def lit_by_sky(mesh: Mesh, blockers: Floats) -> Lit:
     """Return the mesh, refined, with the sky's light; `blockers` are the triangles (n, 3, 3) that take it away."""
-    fine = refined(mesh, _light.sample_distance(mesh))
+    extent = np.ptp(mesh.corners.reshape(-1, 3), axis=0).max() if len(mesh) else 0.0
+    fine = refined(mesh, max(LIGHT.longest, float(extent) / 30))
     first, places = welded(fine)
     points, normals = fine.corners.reshape(-1, 3)[first], fine.normals.reshape(-1, 3)[first]
     return Lit(fine, first, places, _sky(points, normals, _scene(blockers)))
@@ -236,10 +237,8 @@ def _sky(points: Floats, normals: Floats, scene: Any) -> Floats:
 def _edges(surface: Floats) -> NDArray[np.bool_]:
     """Return where the part or the normal differs from a neighbour's, (height, width)."""
     edges = np.zeros(surface.shape[:2], np.bool_)
-    for axis in (0, 1):
-        here, there = (surface[:-1], surface[1:]) if axis == 0 else (surface[:, :-1], surface[:, 1:])
-        differs = (np.abs(here - there) > 0.2).any(axis=-1)
-        first, second = (edges[:-1], edges[1:]) if axis == 0 else (edges[:, :-1], edges[:, 1:])
-        first |= differs
-        second |= differs
+    for found, values in ((edges, surface), (edges.T, surface.swapaxes(0, 1))):
+        differs = (np.abs(np.diff(values, axis=0)) > 0.2).any(axis=-1)
+        found[:-1] |= differs
+        found[1:] |= differs
     return edges

@@ -177,6 +177,7 @@ class LightStyle:
     sun_columns: int = 3  # such maps along a side of the atlas
     texture: int = 512  # most pixels along a side of a texture; larger pictures of own meshes are made smaller
     crease: float = 0.80  # cosine of the angle (37 degrees) below which neighbouring faces are shaded as one
+    longest: float = 0.4  # metres to which the edges of a mesh are refined; more in large rooms
     sliver: float = 0.1  # area, in squares of the longest edge allowed, below which a triangle is not refined
     sun_distance: float = 60.0  # metres to the sun ...
     sun_radius: float = 2.6  # ... and of its disc, wider than the real one so that shadows are soft

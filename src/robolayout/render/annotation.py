@@ -110,9 +110,11 @@ def draw_marks(
     numbers = _draw_grid(sheet, [m for m in marks if m.kind == "grid"], camera, depth, unit)
     fronts = [m for m in marks if m.kind == "front"]
     _draw_arrows(sheet, fronts, camera, unit)
-    taken = [_text_box(number, unit) for number in numbers]
-    others = [m for m in marks if m.kind not in ("grid", "front")]
-    for mark in [*others, *fronts]:
+    taken: list[Box] = []
+    for number in numbers:  # each with the point above it
+        (x, y), half = number.at, text_width(number.text, number.size) / 2
+        taken.append((x - half, y - 12 * unit, x + half, y + number.size / 2))
+    for mark in [*(m for m in marks if m.kind not in ("grid", "front")), *fronts]:
         _draw_tag(sheet, mark, camera, taken, unit)
     sheet.items += numbers  # last, so that no name covers a coordinate
     paint(image, sheet.items, samples)
@@ -140,8 +142,7 @@ def _draw_grid(
     for mark, (u, v), far in zip(grid, pixels, depths, strict=True):
         if not (0 <= u < camera.width and 0 <= v < camera.height):
             continue
-        seen = far < float(depth[int(v), int(u)]) + 0.12
-        if not seen:
+        if far >= float(depth[int(v), int(u)]) + 0.12:
             sheet.polygon([circle((u, v), 1.3 * unit, 20)], GRID_COLOR, opacity=0.45)
             continue
         sheet.polygon([circle((u, v), 3.0 * unit, 20)], GRID_COLOR, stroke=WHITE, width=0.8 * unit)
@@ -149,12 +150,6 @@ def _draw_grid(
         if column % every == 0 and row % every == 0:
             numbers.append(Text((u, v + 9 * unit), mark.text, MARKS.number * unit, color=GRID_COLOR, halo=WHITE))
     return numbers
-
-
-def _text_box(text: Text, unit: float) -> Box:
-    """Return what a text and the point above it cover, pixels."""
-    (x, y), half = text.at, text_width(text.text, text.size) / 2
-    return (x - half, y - 12 * unit, x + half, y + text.size / 2)
 
 
 def _draw_arrows(sheet: Drawing, fronts: Sequence[Mark], camera: Camera, unit: float) -> None:

@@ -73,6 +73,7 @@ def _world(mi: Any, mesh: Mesh, camera: Camera, samples: int) -> dict[str, Any]:
     toward = _light.sun_directions(camera).mean(axis=0)
     middle = mesh.corners.reshape(-1, 3).mean(axis=0) if len(mesh) else np.zeros(3)
     sun = middle + toward * LIGHT.sun_distance
+    size = {"width": camera.width, "height": camera.height}
     power = _light.SUN * np.pi / (np.pi * (LIGHT.sun_radius / LIGHT.sun_distance) ** 2)
     world: dict[str, Any] = {
         "type": "scene",
@@ -83,13 +84,7 @@ def _world(mi: Any, mesh: Mesh, camera: Camera, samples: int) -> dict[str, Any]:
             "fov_axis": "y",
             "near_clip": 0.02,
             "to_world": transform().look_at(origin=camera.position, target=camera.target, up=camera.up),
-            "film": {
-                "type": "hdrfilm",
-                "width": camera.width,
-                "height": camera.height,
-                "pixel_format": "rgba",
-                "rfilter": {"type": "box"},
-            },
+            "film": {"type": "hdrfilm", **size, "pixel_format": "rgba", "rfilter": {"type": "box"}},
             "sampler": {"type": "independent", "sample_count": samples},
         },
         "sky": {"type": "constant", "radiance": {"type": "rgb", "value": (_light.SKY * 1.15).tolist()}},
@@ -103,9 +98,8 @@ def _world(mi: Any, mesh: Mesh, camera: Camera, samples: int) -> dict[str, Any]:
     above = mesh.named({CEILING})
     if above.any():
         world["integrator"]["hide_emitters"] = False
-        world["ceiling"] = _shape(
-            mi, mesh.take(above), np.array([0.8, 0.8, 0.8, 1.0, 0.0, -1.0]), "ceiling", LIGHT.indoors
-        )
+        white = np.array([0.8, 0.8, 0.8, 1.0, 0.0, -1.0])
+        world["ceiling"] = _shape(mi, mesh.take(above), white, "ceiling", LIGHT.indoors)
         mesh = mesh.take(~above)
     looks, of = np.unique(np.column_stack([mesh.colors, mesh.gloss, mesh.layers]).round(4), axis=0, return_inverse=True)
     for number, look in enumerate(looks):
@@ -123,13 +117,11 @@ def _shape(mi: Any, mesh: Mesh, look: NDArray[np.float64], name: str, radiance: 
     if look[4] > 0.35:
         roughness = float(max(1 - look[4], 0.12))
         surface = {"type": "principled", "base_color": color, "specular": 0.35, "roughness": roughness}
+    bsdf: dict[str, Any] = {"type": "twosided", "bsdf": surface}
     if look[3] < 0.99:
-        clear = {"type": "mask", "opacity": float(look[3]), "nested": {"type": "twosided", "bsdf": surface}}
-        bsdf = mi.load_dict(clear)
-    else:
-        bsdf = mi.load_dict({"type": "twosided", "bsdf": surface})
+        bsdf = {"type": "mask", "opacity": float(look[3]), "nested": bsdf}
     properties = mi.Properties()
-    properties["mesh_bsdf"] = bsdf
+    properties["mesh_bsdf"] = mi.load_dict(bsdf)
     if radiance is not None:
         light = {"type": "area", "radiance": {"type": "rgb", "value": [radiance] * 3}}
         properties["mesh_emitter"] = mi.load_dict(light)

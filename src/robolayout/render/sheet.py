@@ -81,7 +81,9 @@ def draw_sheet(scene: Scene, layout: Layout, notes: SheetNotes, *, marks: PlanMa
     given = _Given(scene, layout, notes, marks, agent, *_furniture(scene, layout, notes.carriers))
     at = _arranged(scene, _blocks(given))
     sheet = Drawing(*at.size)
-    _draw_frame(sheet)
+    right, bottom = sheet.width - SHEET.edge, sheet.height - SHEET.edge
+    sheet.polygon([rectangle(SHEET.edge, SHEET.edge, right, bottom)], None, stroke=INK, width=0.4)
+    sheet.line([(SHEET.edge, bottom - SHEET.title), (right, bottom - SHEET.title)], INK, width=0.4)
     _draw_plan(sheet, given, at)
     draw_columns(sheet, at.lines, at.lists, at.text, at.width)
     _draw_title(sheet, given, at)
@@ -135,12 +137,6 @@ def _plan_size(scene: Scene, scale: int) -> Point:
     k = 1000 / scale
     around = 2 * (PLAN.wall * k + margin(scene.room))
     return ((x1 - x0) * k + around, (y1 - y0) * k + around)
-
-
-def _draw_frame(sheet: Drawing) -> None:
-    right, bottom = sheet.width - SHEET.edge, sheet.height - SHEET.edge
-    sheet.polygon([rectangle(SHEET.edge, SHEET.edge, right, bottom)], None, stroke=INK, width=0.4)
-    sheet.line([(SHEET.edge, bottom - SHEET.title), (right, bottom - SHEET.title)], INK, width=0.4)
 
 
 def _draw_plan(sheet: Drawing, given: _Given, at: _Arranged) -> None:

@@ -214,7 +214,9 @@ def render_asset(
     mesh = parts_mesh(parts(asset, seed), asset.name)
     box = np.array([*product((-0.5, 0.5), repeat=3)]) * asset.size
     camera = fitted_camera(box, math.radians(65), math.radians(-32), picture_size(size), margin=0.08)
-    scenery = merge(mesh, _ground(asset))
+    reach, low = 15 * max(asset.size), -asset.size[2] / 2
+    a, b, c, d = ((x * reach, y * reach, low) for x, y in ((-1, -1), (1, -1), (1, 1), (-1, 1)))
+    scenery = merge(mesh, flat_mesh(np.array([(a, b, c), (a, c, d)]), (0.9, 0.9, 0.9), "ground"))
     solid = scenery.opaque & (scenery.ids != ROOM)
     drawn = make_renderer(scenery, solid, solid, renderer)
     return Image.fromarray(drawn.color(camera, np.ones(len(scenery.names), np.bool_)))
@@ -292,10 +294,3 @@ def _entrance(room: Room) -> tuple[float, float]:
         return room.walls[door.wall].point(door.center, 0.3)
     point = shapely.Polygon(room.vertices).representative_point()
     return (point.x, point.y)
-
-
-def _ground(asset: Asset) -> Mesh:
-    """Return the ground under an asset that stands alone, in the colour of the background."""
-    reach, low = 15 * max(asset.size), -asset.size[2] / 2
-    a, b, c, d = ((x * reach, y * reach, low) for x, y in ((-1, -1), (1, -1), (1, 1), (-1, 1)))
-    return flat_mesh(np.array([(a, b, c), (a, c, d)]), (0.9, 0.9, 0.9), "ground")
