@@ -141,18 +141,18 @@ def kind_name(name: str, pieces: Sequence[Part], *facts: object) -> str:
     return f"{stem[:60]}-{whole.hexdigest()[:12]}"
 
 
-def supporter(asset: Asset, scene: Scene, layout: Layout, *, tolerance: float = TOLERANCE.support) -> str | None:
+def supporter(asset: Asset, scene: Scene, layout: Layout) -> str | None:
     """Return the name of the asset that another one rests on, or None.
 
-    It rests on it if its bottom is within `tolerance` metres of the other's top and its centre is over the other's
-    footprint (DESIGN section 4); of several, the one whose top is nearest.
+    Its bottom is as high as the other's top, and its centre over the other's footprint (DESIGN section 4); of several, it
+    is the one whose top is nearest.
     """
     pose = layout[asset.name]
     bottom, _ = vertical_span(asset, pose)
     found: list[tuple[float, str]] = []
     for other, place in placed(scene, layout):
         gap = abs(bottom - vertical_span(other, place)[1])
-        if other.name != asset.name and gap <= tolerance and covers(place, other, pose):
+        if other.name != asset.name and gap <= TOLERANCE.support and covers(place, other, pose):
             found.append((gap, other.name))
     return min(found)[1] if found and asset.on_object else None
 

@@ -127,16 +127,19 @@ def write(scene: Scene, layout: Layout, options: Options) -> bytes:
     pieces = [piece for wall in scene.room.walls for piece in _cut(wall, _holes(scene.room, wall))]
     inside = [_wall(scene.room, index, piece, outside=False) for index, piece in enumerate(pieces)]
     outside = [_wall(scene.room, index, piece, outside=True) for index, piece in enumerate(pieces)]
-    holes = [(index, piece) for index, piece in enumerate(pieces) if piece[3] is not None]
+    covers: dict[str, list[Json]] = {"door": [], "window": []}
+    for index, (_, _, end, hole) in enumerate(pieces):
+        if hole is not None:
+            covers[hole[0]].append(_cover(index, end, *hole))
     objects, assets = _objects(scene, layout)
     house: Json = {
-        "doors": [_cover(index, piece) for index, piece in holes if piece[3] and piece[3][0] == "door"],
+        "doors": covers["door"],
         "metadata": _metadata(scene, assets, options.left_out),
         "objects": objects,
         "proceduralParameters": _parameters(scene, layout),
         "rooms": [_room(scene)],
         "walls": inside + outside,
-        "windows": [_cover(index, piece) for index, piece in holes if piece[3] and piece[3][0] == "window"],
+        "windows": covers["window"],
     }
     return dump_json(house)
 
@@ -158,12 +161,9 @@ def _holes(room: Room, wall: Wall) -> list[Hole]:
 
 def _cut(wall: Wall, holes: list[Hole]) -> list[Piece]:
     """Return a wall in pieces with at most one hole each, cut half-way between the holes."""
-    cuts = [0.0]
-    for (_, _, before), (_, _, after) in pairwise(holes):
-        cuts.append((before.offset + before.width + after.offset) / 2)
-    cuts.append(wall.length)
-    known: list[Hole | None] = [*holes] or [None]
-    return [(wall, start, end, hole) for start, end, hole in zip(cuts[:-1], cuts[1:], known, strict=True)]
+    between = ((a.offset + a.width + b.offset) / 2 for (_, _, a), (_, _, b) in pairwise(holes))
+    cuts = pairwise([0.0, *between, wall.length])
+    return [(wall, start, end, hole) for (start, end), hole in zip(cuts, holes or [None], strict=True)]
 
 
 def _wall_id(index: int, *, outside: bool) -> str:
@@ -185,10 +185,8 @@ def _wall(room: Room, index: int, piece: Piece, *, outside: bool) -> Json:
     }
 
 
-def _cover(index: int, piece: Piece) -> Json:
+def _cover(index: int, end: float, kind: str, number: int, opening: Opening) -> Json:
     """Return a door or window: the nearest THOR asset, scaled to the hole, placed along its wall from the wall's first corner."""
-    _, _, end, hole = piece
-    kind, number, opening = cast(Hole, hole)
     thor = _nearest_of("Doorway" if kind == "door" else "Window", (0.1, opening.width, opening.height))
     near, top = end - opening.offset - opening.width, opening.sill + opening.height
     cover: Json = {

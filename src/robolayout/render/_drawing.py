@@ -21,6 +21,7 @@ from PIL import Image, ImageChops, ImageDraw, ImageFont
 
 from robolayout._text import html, printable
 from robolayout.render._style import PLAN
+from robolayout.render.palette import PAPER
 
 Point = tuple[float, float]
 Anchor = Literal["start", "middle", "end"]
@@ -51,8 +52,7 @@ class Text:
     at: Point  # millimetres; the anchor horizontally, the middle of the capitals vertically
     text: str  # the words
     size: float  # font size, millimetres
-    # sRGB hex colour
-    color: str = "#222222"
+    color: str = "#222222"  # sRGB hex colour
     anchor: Anchor = "middle"  # which end is at the point
     angle: float = 0.0  # degrees counter-clockwise
     halo: str | None = None  # colour of the outline that keeps it readable, or None
@@ -68,8 +68,6 @@ class Drawing:
     width: float  # millimetres
     height: float  # millimetres
     items: list[Shape | Text] = field(default_factory=list[Shape | Text])  # shapes and texts
-    # sRGB hex colour
-    background: str = "#ffffff"
 
     def polygon(self, rings: Iterable[Iterable[Point]], fill: str | None, **style: object) -> None:
         """Add a closed shape."""
@@ -89,7 +87,7 @@ class Drawing:
         rows = [
             f'<svg xmlns="http://www.w3.org/2000/svg" width="{w}mm" height="{h}mm" viewBox="0 0 {w} {h}"'
             " font-family=\"Helvetica, Arial, 'Liberation Sans', 'DejaVu Sans', sans-serif\">",
-            f'<rect width="{w}" height="{h}" fill="{self.background}"/>',
+            f'<rect width="{w}" height="{h}" fill="{PAPER}"/>',
             *(_svg_text(item) if isinstance(item, Text) else _svg_shape(item) for item in self.items),
         ]
         return "\n".join([*rows, "</svg>", ""])
@@ -104,7 +102,7 @@ class Drawing:
         """Return the drawing as an RGB picture `width` pixels wide."""
         scale = width / self.width
         size = (width, max(1, round(self.height * scale)))
-        big = Image.new("RGB", (size[0] * PLAN.samples, size[1] * PLAN.samples), self.background)
+        big = Image.new("RGB", (size[0] * PLAN.samples, size[1] * PLAN.samples), PAPER)
         paint(big, self.items, scale * PLAN.samples)
         return big.reduce(PLAN.samples)
 

@@ -15,6 +15,7 @@ from itertools import groupby
 from typing import Any
 
 from robolayout.render._drawing import Drawing, Shape, Text, font, is_latin, printable, text_width
+from robolayout.render.palette import PAPER
 
 POINT = 72 / 25.4  # PDF points per millimetre
 READERS = {"GB1": ("STSong-Light", "UniGB-UCS2-H"), "Korea1": ("HYSMyeongJo-Medium", "UniKS-UCS2-H")}
@@ -37,7 +38,7 @@ def draw_pdf(drawing: Drawing) -> bytes:
     states = sorted({item.opacity for item in drawing.items if isinstance(item, Shape)} | {1.0})
     fonts = _fonts([printable(item.text) for item in drawing.items if isinstance(item, Text)])
     commands = [f"{POINT:.6f} 0 0 {-POINT:.6f} 0 {height:.3f} cm", "1 J 1 j"]
-    commands.append(f"{_color(drawing.background)} rg 0 0 {drawing.width:.3f} {drawing.height:.3f} re f")
+    commands.append(f"{_color(PAPER)} rg 0 0 {drawing.width:.3f} {drawing.height:.3f} re f")
     for item in drawing.items:
         commands.append(_text(item, fonts) if isinstance(item, Text) else _shape(item, states.index(item.opacity)))
     graphics = " ".join(f"/G{k} << /ca {value:.3f} >>" for k, value in enumerate(states))

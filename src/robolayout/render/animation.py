@@ -15,7 +15,7 @@ from robolayout.render._drawing import Drawing, Item, Text, paint, text_width
 from robolayout.render._style import FILM, PLAN
 from robolayout.render.contents import LEVELS, display_name, draw_footprint, level
 from robolayout.render.curves import NO_SEARCH, TOTAL, Frame, draw_panel, is_still, loss_terms
-from robolayout.render.palette import INK, QUIET, ROUTE
+from robolayout.render.palette import INK, PAPER, QUIET, ROUTE
 from robolayout.scene import Asset, Layout, Pose, Room, Scene, Snapshot, Trace
 
 
@@ -116,7 +116,7 @@ def _gif(sheet: Drawing, painted: Sequence[Sequence[Item]], size: int, pauses: S
     """Return an endless GIF of the sheet with each frame's items painted over it."""
     scale = size / max(sheet.width, sheet.height)
     width, height = round(sheet.width * scale), round(sheet.height * scale)
-    back = Image.new("RGB", (width * FILM.samples, height * FILM.samples), sheet.background)
+    back = Image.new("RGB", (width * FILM.samples, height * FILM.samples), PAPER)
     paint(back, sheet.items, scale * FILM.samples)
 
     def frame(items: Sequence[Item]) -> Image.Image:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import groupby
 
 import numpy as np
 from numpy.typing import NDArray
@@ -148,11 +149,8 @@ def _lines(values: NDArray[np.float64]) -> list[list[tuple[float, float]]]:
 
 def _stages(trace: Trace) -> list[tuple[int, str]]:
     """Return (first step, stage) of each stage of the run."""
-    changes: list[tuple[int, str]] = []
-    for snapshot in trace.snapshots:
-        if not changes or changes[-1][1] != snapshot.stage:
-            changes.append((snapshot.step, snapshot.stage))
-    return changes
+    runs = groupby(trace.snapshots, key=lambda snapshot: snapshot.stage)
+    return [(next(run).step, stage) for stage, run in runs]
 
 
 def _draw_stages(sheet: Drawing, frame: Frame, stages: Sequence[tuple[int, str]], steps: int) -> None:

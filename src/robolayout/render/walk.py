@@ -180,7 +180,7 @@ class _Film:
         sheet.items += draw_names(scene, list(scene.assets), poses, self._stage)
         self._scale = FILM.samples * size / max(sheet.width, sheet.height)
         width, height = (FILM.samples * round(v * self._scale / FILM.samples) for v in (sheet.width, sheet.height))
-        self._plan = Image.new("RGB", (width, height), sheet.background)
+        self._plan = Image.new("RGB", (width, height), PAPER)
         paint(self._plan, sheet.items, self._scale)
         self._palette = self._colours()
         self._scene, self._layout, self._body = scene, layout, body
