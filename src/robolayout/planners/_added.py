@@ -28,7 +28,6 @@ SPARE = 0.02  # metres between the top of a thing and the ceiling
 SEATS = {"bench", "stool", "pew", "floor cushion"}  # what people sit on at tables in place of chairs
 VAGUE = ("stand", "rack", "machine", "board")  # last words that do not say what a thing is for
 
-
 IN_PLACE_OF = {
     "bathroom vanity": "washbasin",
     "bathtub": "shower",

@@ -37,7 +37,6 @@ class Gaps:
 
 GAPS = Gaps()
 
-
 LEFT = ("left_of({a}, {b}, {gap}, {most})", "align_with({a}, {b})")
 BEHIND = ("behind({a}, {b}, {gap}, {most})", "align_with({a}, {b})")
 PARTING = ("left_of({a}, {b}, {gap}, {most})", "align_with({a}, {b}, 90)")

@@ -44,7 +44,6 @@ SIZE_WORDS = {"small", "large", "big", "little"}
 
 Size = tuple[float, float, float]
 
-
 APART = 0.25  # metres between things that lie on a rug or sit in a line
 LONGEST = 50.0  # metres of the longest thing that a room is furnished with
 ELBOWS = 0.6  # metres of a table's edge for who sits there

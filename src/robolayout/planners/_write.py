@@ -36,7 +36,6 @@ class Saying:
 
 SAYING = Saying()
 
-
 WISHES = {
     "centre": "mid_wall({a})", "corner": "corner({a})", "window": "at_window({a})", "tuck": "snug({a})",
     "middle": "centered_on({a}, room)",

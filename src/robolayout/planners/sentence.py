@@ -48,7 +48,6 @@ class Sizes:
 
 SIZES = Sizes()
 
-
 LOUNGE = {"sofa", "armchair", "bench", "stool", "booth", "pew", "recliner"}
 """Last words of what people sit on where there is no table for chairs."""
 

@@ -11,7 +11,7 @@ import asyncio
 import warnings
 from collections.abc import Callable, Coroutine, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from decimal import Decimal
 from typing import TYPE_CHECKING, Any, TypeVar
 
@@ -47,7 +47,6 @@ from pydantic_ai.settings import ModelSettings
 from pydantic_ai.usage import RequestUsage
 
 from robolayout._errors import AnswerError, BudgetError, InputError, ModelError, UnavailableError
-from robolayout.planners.model.budget import CHARACTERS_PER_TOKEN, Budget, tokens_of
 from robolayout.planners.model.errors import refuses_images, sentence
 from robolayout.planners.model.exchange import Question, Tape
 from robolayout.planners.model.prompt import PROMPT_VERSION
@@ -68,6 +67,16 @@ FAILURES = {kind.__name__: kind for kind in (ModelError, BudgetError, AnswerErro
 
 PATIENCE = 3.0  # times `timeout` that one question may take with all its tries
 
+CHARACTERS_PER_TOKEN = 4  # characters of English or program text that make one token, where nobody counts them
+
+TOKENS_PER_PICTURE = 1_100
+"""Tokens of one of our pictures (768 pixels a side) at the providers that count them in tiles."""
+
+FIRST_ANSWER = 1_200  # tokens that an answer is expected to have before one has come: a program for a dozen things
+
+Price = Callable[[int, int], Decimal | None]
+"""Dollars for so many tokens sent and received; None where no price is known."""
+
 
 @dataclass(frozen=True)
 class Usage:
@@ -81,6 +90,52 @@ class Usage:
     def to_dict(self) -> dict[str, int | float | None]:
         """Return the usage as it is written to the report."""
         return dict(vars(self))
+
+
+def tokens_of(question: Question) -> int:
+    """Return about how many tokens a question has."""
+    words = sum(map(len, (question.instructions, *question.texts)))
+    return words // CHARACTERS_PER_TOKEN + TOKENS_PER_PICTURE * len(question.images)
+
+
+@dataclass
+class Budget:
+    """What may be spent, what is spent, and what is set aside for questions that are being answered.
+
+    An answer that was paid for is always used, so a job overspends by at most what its last answer costs above its estimate.
+    """
+
+    most: Decimal | None  # US dollars; None is without limit
+    price: Price  # what tokens cost
+    spent: Decimal = Decimal(0)  # US dollars so far
+    reserved: Decimal = Decimal(0)  # US dollars set aside
+    _received: list[int] = field(default_factory=list[int])
+    _dearest: Decimal = Decimal(0)
+
+    def reserve(self, question: Question, name: str) -> Decimal:
+        """Set aside what a question will most likely cost, and return it; raises `BudgetError` if it does not fit.
+
+        That is by the price list, with an answer as long as those so far, else as much as the dearest answer so far.
+        """
+        expected = sum(self._received) // len(self._received) if self._received else FIRST_ANSWER
+        priced = self.price(tokens_of(question), expected)
+        cost = self._dearest if priced is None else priced
+        if self.most is not None and self.spent + self.reserved + cost > self.most:
+            raise BudgetError(
+                f"stopped at the budget: {name} has cost ${self.spent:.4f}, the next answer would most likely cost ${cost:.4f}, "
+                f"--max-cost allows ${self.most:.4f}. Raise it to go on."
+            )
+        self.reserved += cost
+        return cost
+
+    def settle(self, reserved: Decimal, cost: Decimal | None, received: int) -> None:
+        """Give back what was set aside for a question and count what its answer cost; nothing if it never came."""
+        self.reserved -= reserved
+        if received:
+            self._received.append(received)
+        if cost is not None:
+            self.spent += cost
+            self._dearest = max(self._dearest, cost)
 
 
 class _Taped(WrapperModel):

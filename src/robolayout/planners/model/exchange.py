@@ -34,7 +34,6 @@ MOST_TOKENS = 10**12  # largest count in a recording
 
 _CHECK = Checker(InputError)
 
-
 Picture = tuple[str, bytes]  # the line above a picture, and the picture as PNG
 
 

@@ -30,7 +30,6 @@ LONGEST_DESCRIPTION = 400  # characters of a description that a model is shown
 WORDS = {"none": "None", "room": "None", "point": "(x, y)"}
 """How kinds of arguments are written, where not by their own name."""
 
-
 WISHES = (
     "Each of these is a demand. As a wish it is only weighed against others, with a weight (below 0: rather not): "
     "`solver.wish.at_window(desk[0], weight=0.8)`"
