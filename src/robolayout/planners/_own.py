@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
+from typing import Any
 
 from robolayout._errors import SceneError
 from robolayout.assets import CATALOGUE, Category
@@ -40,26 +41,16 @@ def own_thing(entry: Mapping[str, object], group: str) -> Category:
     among(f"side in {where}:", thing.use_sides, SIDES)
     if "size" in entry and not all(0.0 < side <= 100.0 for side in thing.size):
         raise SceneError(f"{where}: size is {list(thing.size)}; depth, width and height are metres, from 0 to 100.")
-    base = CATALOGUE[thing.like]
-    size = thing.size if "size" in entry else base.size
+    given: dict[str, Any] = {key: getattr(thing, key) for key in ("size", "use_sides") if key in entry}
+    given |= {"source": OWN} if "size" in entry else {}
+    given |= {f"on_{place}": place in thing.place for place in PLACES} if "place" in entry else {}
+    own = {"name": thing.name, "like": thing.like, "role": thing.role, "parts": thing.parts, "group": group}
+    found = replace(CATALOGUE[thing.like], synonyms=(*thing.synonyms, *thing.words), **own, **given)
     if thing.parts:
         from robolayout.assets.rows import check_rows
 
-        check_rows(thing.parts, where, size)
-    placed = {f"on_{place}": place in thing.place for place in PLACES} if "place" in entry else {}
-    return replace(
-        base,
-        name=thing.name,
-        synonyms=(*thing.synonyms, *thing.words),
-        size=size,
-        use_sides=thing.use_sides if "use_sides" in entry else base.use_sides,
-        group=group,
-        source=OWN if "size" in entry else base.source,
-        like=base.name,
-        role=thing.role,
-        parts=thing.parts,
-        **placed,
-    )
+        check_rows(thing.parts, where, found.size)
+    return found
 
 
 def own_sides(category: Category) -> tuple[str, ...] | None:
