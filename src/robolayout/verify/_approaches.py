@@ -96,9 +96,7 @@ class Approaches:
 
 def approaches(found: Boxes, agent: Agent) -> Approaches:
     """Return how assets can be used by a body as far as heights tell; none of what needs no use."""
-    rows: list[int] = []
-    sides: list[str] = []
-    reach: list[float] = []
+    items: list[tuple[int, str, float]] = []
     asked = use_sides(found.assets)
     for row in np.flatnonzero(found.placed & ~needs_no_use(found)).tolist():
         for side in ("",) if found.carriers[row] >= 0 or found.movable[row] else asked[row]:
@@ -106,13 +104,14 @@ def approaches(found: Boxes, agent: Agent) -> Approaches:
             if side == "front" and opens(found, agent, row):
                 far = handle_reach(found, agent, row)
             if far is not None:
-                rows.append(row)
-                sides.append(side)
-                reach.append(far + ROUNDING)
-    index, at = np.array(rows, dtype=np.intp), np.array([SIDES.index(side or "front") for side in sides], dtype=np.intp)
-    corners = shapely.get_coordinates(found.footprints[index]).reshape(-1, 5, 2)
-    edges = np.stack([corners[np.arange(len(at)), at], corners[np.arange(len(at)), at + 1]], axis=1)
-    return Approaches(found, agent, index, tuple(sides), edges, np.array(reach))
+                items.append((row, side, far + ROUNDING))
+    rows = np.array([row for row, _, _ in items], dtype=np.intp)
+    at = np.array([SIDES.index(side or "front") for _, side, _ in items], dtype=np.intp)
+    corners, each = shapely.get_coordinates(found.footprints[rows]).reshape(-1, 5, 2), np.arange(len(at))
+    edges = np.stack([corners[each, at], corners[each, at + 1]], axis=1)
+    return Approaches(
+        found, agent, rows, tuple(side for _, side, _ in items), edges, np.array([far for *_, far in items])
+    )
 
 
 @lru_cache(maxsize=32)

@@ -62,6 +62,13 @@ class Boxes:
         """Which asset carries which, rugs aside: by the name of what is carried."""
         return {self.names[row]: self.names[under] for row, under in enumerate(self.carriers) if under >= 0}
 
+    def chain(self, row: int) -> set[int]:
+        """Return an asset's row and the rows of everything that carries it."""
+        chain = {row}
+        while (row := int(self.carriers[row])) >= 0 and row not in chain:
+            chain.add(row)
+        return chain
+
     @cached_property
     def chairs(self) -> NDArray[np.bool_]:
         """(n,) whether it is moved away from what it stands at: it is movable, stands on the floor and carries nothing."""

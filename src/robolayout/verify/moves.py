@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
@@ -77,20 +76,13 @@ def _back(scene: Scene, layout: Layout, program: Program, name: str) -> Layout:
     turn = there.yaw - here.yaw
     c, s = math.cos(turn), math.sin(turn)
     poses: dict[str, Pose] = {**layout, name: there}
-    for other in _standing_on(scene, layout, name):
+    found = boxes(scene, layout)
+    chains = {other: {found.names[row] for row in found.chain(at)} for at, other in enumerate(found.names)}
+    for other in (other for other, chain in chains.items() if other != name and name in chain):
         dx, dy = layout[other].x - here.x, layout[other].y - here.y
         x, y = there.x + c * dx - s * dy, there.y + s * dx + c * dy
         poses[other] = Pose(x, y, layout[other].z, layout[other].yaw + turn)
     return Layout(poses)
-
-
-def _standing_on(scene: Scene, layout: Mapping[str, Pose], name: str) -> list[str]:
-    """Return what stands on a thing, directly or on what stands on it."""
-    carriers = boxes(scene, Layout(layout)).carried
-    below = {name}
-    while more := {one for one, under in carriers.items() if under in below} - below:
-        below |= more
-    return sorted(below - {name})
 
 
 def _wrong(scene: Scene, layout: Layout, program: Program, agents: tuple[Agent, ...]) -> list[str]:

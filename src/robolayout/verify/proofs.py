@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 from robolayout._text import TOLD
 from robolayout.assets import prisms_of
 from robolayout.scene import ROUNDING, Agent, Asset, Layout, Opening, Pose, Room, Scene
-from robolayout.verify._boxes import Boxes, landings, room_polygon
+from robolayout.verify._boxes import landings, room_polygon
 from robolayout.verify._obstacles import NOTHING
 from robolayout.verify._space import disc_space, plan_distances, reached_rows
 from robolayout.verify.limits import FINE, PhysicsLimits
@@ -220,7 +220,7 @@ class _Trials:
     def __init__(self, nav: Navigation) -> None:
         self._nav, self._found = nav, nav.boxes
         self._rows = [int(row) for row in sorted(set(nav.blocking.rows.tolist()))]
-        self._below = [_chain(nav.boxes, row) for row in range(len(nav.boxes.names))]
+        self._below = [nav.boxes.chain(row) for row in range(len(nav.boxes.names))]
         self._tried: dict[tuple[int, ...], NDArray[np.bool_]] = {}
 
     def removals(self, name: str) -> tuple[tuple[str, ...], ...]:
@@ -244,12 +244,3 @@ class _Trials:
             reach = self._nav.agent.reach
             self._tried[removed] = reached_rows(self._found, plan_distances(self._found, space, reach), reach)
         return bool(self._tried[removed][row])
-
-
-def _chain(found: Boxes, row: int) -> set[int]:
-    """Return an asset's row and the rows of everything that carries it."""
-    chain, carrier = {row}, int(found.carriers[row])
-    while carrier >= 0 and carrier not in chain:
-        chain.add(carrier)
-        carrier = int(found.carriers[carrier])
-    return chain

@@ -212,11 +212,8 @@ class Report:
 
     def rows(self) -> tuple[tuple[str, str, bool], ...]:
         """Return a short table: what was checked, what came out, whether that is enough."""
-        shown: list[tuple[str, str, bool]] = []
-        for name, value in self.figures.items():
-            text = ("yes" if value else "no") if isinstance(value, bool) else f"{value:.2f}"
-            shown.append((label(name), text, name not in self.unmet))
-        return tuple(shown)
+        texts = {n: ("yes" if v else "no") if isinstance(v, bool) else f"{v:.2f}" for n, v in self.figures.items()}
+        return tuple((label(name), text, name not in self.unmet) for name, text in texts.items())
 
     def to_markdown(self) -> str:
         """Return the content of `report.md`: the table, what is wrong, and the way to each asset."""

@@ -23,7 +23,7 @@ from shapely import Polygon
 from shapely.geometry.base import BaseGeometry
 
 from robolayout.assets import sweeps_of
-from robolayout.scene import ROUNDING, Agent, Hold, Layout, Point, Scene
+from robolayout.scene import ROUNDING, Agent, Asset, Hold, Layout, Point, Scene
 from robolayout.scene.agent import BODY, horizontal_reach
 from robolayout.verify._approaches import approaches, needs_no_use
 from robolayout.verify._boxes import in_room, out_of_room, room_polygon, share, shared_area
@@ -168,15 +168,13 @@ class Usage:
     def _approaches(self) -> NDArray[np.object_]:
         """Return (m,) how a seated body works at each approach: "frontally" or "sideways"; empty where it is all one."""
         sits = self.agent.knee_height is not None and self._stances.rectangular
-        return np.array(
-            [
-                ("frontally" if frontal(self._found.assets[row], side) else "sideways")
-                if sits and side and is_sat_at(self._found.assets[row])
-                else ""
-                for row, side in self._each
-            ],
-            dtype=object,
-        )
+
+        def way(asset: Asset, side: str) -> str:
+            if not (sits and side and is_sat_at(asset)):
+                return ""
+            return "frontally" if frontal(asset, side) else "sideways"
+
+        return np.array([way(self._found.assets[row], side) for row, side in self._each], dtype=object)
 
     def _faces(self, heading: float) -> NDArray[np.bool_]:
         """Return (m,) which approaches a body may make at a heading in radians: sideways ones along their edge only."""
