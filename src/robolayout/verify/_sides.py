@@ -22,9 +22,9 @@ def side_edge(footprint: Polygon, side: str) -> LineString:
     return LineString((ring[at], ring[at + 1]))
 
 
-def strip(edge: LineString, depth: float, margin: float = 0.0) -> Polygon:
-    """Return the rectangle `depth` metres deep on the right of an edge, `margin` metres longer at both ends."""
-    return strips(shapely.get_coordinates(edge)[None], np.array([depth]), margin)[0]
+def strip(edge: LineString, depth: float) -> Polygon:
+    """Return the rectangle `depth` metres deep on the right of an edge."""
+    return strips(shapely.get_coordinates(edge)[None], np.array([depth]))[0]
 
 
 def strips(edges: NDArray[np.float64], depth: NDArray[np.float64], margin: float = 0.0) -> NDArray[np.object_]:

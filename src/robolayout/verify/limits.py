@@ -9,14 +9,14 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from robolayout.scene.room import OPENINGS
-
 
 @dataclass(frozen=True)
 class JudgeConfig:
     """When something counts as touching, carried, steady, near or moved."""
 
     area: float = 1e-4  # square metres of intersection in plan that still count as touching (DESIGN section 4)
+    height: float = 0.01  # shared height in metres above which two assets collide (DESIGN section 4)
+    boundary: float = 0.01  # metres that a box may stick out of the room, in plan and in height (DESIGN section 4)
     at: float = 0.30  # metres within which a movable thing (a chair) stands at another (a table)
     carried: float = 0.02  # metres between an asset and the surface that carries it (DESIGN section 4)
     # metres by which what carries something begins below it, so that no two things carry each other
@@ -64,15 +64,3 @@ class Demands:
 
     walkable_ratio: float = 0.95  # smallest walkable ratio
     statements_met_share: float = 0.95  # smallest share of statements met
-
-
-@dataclass(frozen=True)
-class PhysicsLimits:
-    """Tolerances of the physical checks; the defaults are the definitions of DESIGN section 4."""
-
-    # shared footprint in m2 above which two assets collide, or an asset stands in a landing
-    area: float = JUDGE.area
-    height: float = 0.01  # shared height in metres above which two assets collide
-    boundary: float = 0.01  # metres that a box may stick out of the room, in plan and in height
-    support: float = JUDGE.carried  # metres between an asset and what holds it
-    door_height: float = OPENINGS.landing_height  # metres below which nothing may stand in a landing

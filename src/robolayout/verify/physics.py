@@ -16,9 +16,9 @@ import shapely
 from numpy.typing import NDArray
 from shapely import Polygon
 
-from robolayout.scene import Asset, Layout, Scene
+from robolayout.scene import OPENINGS, Asset, Layout, Scene
 from robolayout.verify._boxes import Boxes, Place, boxes, landings, prisms_at, room_polygon, share, shared_area
-from robolayout.verify.limits import PhysicsLimits
+from robolayout.verify.limits import JUDGE
 
 CHECKS = ("placed", "collision_free", "in_boundary", "supported")  # the verdicts on an asset
 
@@ -82,22 +82,21 @@ class Physics:
         return f"Physics({shares}, door_clear {self.door_clear})"
 
 
-def physics(scene: Scene, layout: Layout, limits: PhysicsLimits | None = None) -> Physics:
+def physics(scene: Scene, layout: Layout) -> Physics:
     """Check a layout's physics; about 2 ms for 40 assets."""
-    limits = limits or PhysicsLimits()
     found = boxes(scene, layout)
-    meeting = _box_pairs(found, limits)
-    pairs = collisions(found, limits, meeting)
+    meeting = _box_pairs(found)
+    pairs = collisions(found, meeting)
     hit = {name for pair in pairs for name in (pair.a, pair.b)}
     near = {row for pair in meeting for row in pair}
-    inside = _inside(scene, found, limits)
-    held = _held(scene, found, limits)
-    blocked = obstructions(scene, found, limits)
+    inside = _inside(scene, found)
+    held = _held(scene, found)
+    blocked = obstructions(scene, found)
     there = list(zip(found.names, map(bool, found.placed), strict=True))
     sentences = [f"{name} is not placed." for name, is_placed in there if not is_placed]
     sentences += [f"{c.a} and {c.b} overlap by {c.area:.3f} m2 in plan and {c.height:.2f} m in height." for c in pairs]
     sentences += [_outside_sentence(scene, found, int(row)) for row in np.flatnonzero(found.placed & ~inside)]
-    sentences += [_floating_sentence(scene, found, int(row), limits) for row in np.flatnonzero(found.placed & ~held)]
+    sentences += [_floating_sentence(scene, found, int(row)) for row in np.flatnonzero(found.placed & ~held)]
     sentences += [f"{o.asset} takes {o.area:.2f} m2 of the landing of door {o.door}." for o in blocked]
     return Physics(
         placed=_verdicts(found, found.placed),
@@ -111,69 +110,69 @@ def physics(scene: Scene, layout: Layout, limits: PhysicsLimits | None = None) -
     )
 
 
-def collisions(found: Boxes, limits: PhysicsLimits, meeting: Sequence[tuple[int, int]]) -> tuple[Collision, ...]:
+def collisions(found: Boxes, meeting: Sequence[tuple[int, int]]) -> tuple[Collision, ...]:
     """Return which pairs, of those whose boxes meet, share more of plan and height by their prisms than allowed.
 
     Rugs, and what lies in another thing, aside.
     """
-    hits = ((pair, _deepest(*map(found.where, pair), limits.height)) for pair in meeting)
+    hits = ((pair, _deepest(*map(found.where, pair))) for pair in meeting)
     return tuple(
         Collision(found.names[a], found.names[b], *deepest)
         for (a, b), deepest in hits
-        if deepest[0] > limits.area and not (found.lies_in(a, b, limits.height) or found.lies_in(b, a, limits.height))
+        if deepest[0] > JUDGE.area and not (found.lies_in(a, b, JUDGE.height) or found.lies_in(b, a, JUDGE.height))
     )
 
 
-def _box_pairs(found: Boxes, limits: PhysicsLimits) -> list[tuple[int, int]]:
+def _box_pairs(found: Boxes) -> list[tuple[int, int]]:
     """Return all pairs whose boxes share more plan and height than allowed; rugs aside."""
     a, b = found.pairs(np.flatnonzero(found.placed & ~found.flat))
     height = np.minimum(found.top[a], found.top[b]) - np.maximum(found.bottom[a], found.bottom[b])
-    tall = height > limits.height + 1e-9
+    tall = height > JUDGE.height + 1e-9
     a, b = a[tall], b[tall]
-    hit = shared_area(found.footprints[a], found.footprints[b]) > limits.area
+    hit = shared_area(found.footprints[a], found.footprints[b]) > JUDGE.area
     return list(zip(a[hit].tolist(), b[hit].tolist(), strict=True))
 
 
 @lru_cache(maxsize=4096)
-def _deepest(a: tuple[Asset, Place], b: tuple[Asset, Place], least: float) -> tuple[float, float]:
+def _deepest(a: tuple[Asset, Place], b: tuple[Asset, Place]) -> tuple[float, float]:
     """Return the largest area in m2 that a prism of one placed asset shares with one of another, and the height that these share.
 
-    Only what shares more than the least height counts; see `prisms_at` for why it is kept.
+    Only what shares more than 1 cm of height counts; see `prisms_at` for why it is kept.
     """
     (outlines, low, high), (others, bottom, top) = prisms_at(*a), prisms_at(*b)
     height = np.minimum(high[:, None], top) - np.maximum(low[:, None], bottom)
-    i, j = np.nonzero(height > least + 1e-9)
+    i, j = np.nonzero(height > JUDGE.height + 1e-9)
     area = shared_area(outlines[i], others[j])
     worst = int(np.argmax(area)) if len(area) else -1
     return (float(area[worst]), float(height[i[worst], j[worst]])) if worst >= 0 else (0.0, 0.0)
 
 
-def obstructions(scene: Scene, found: Boxes, limits: PhysicsLimits) -> tuple[Obstruction, ...]:
+def obstructions(scene: Scene, found: Boxes) -> tuple[Obstruction, ...]:
     """Return what stands in door landings below the door height; rugs aside."""
-    rows = np.flatnonzero(found.placed & ~found.flat & (found.bottom < limits.door_height - 1e-9))
+    rows = np.flatnonzero(found.placed & ~found.flat & (found.bottom < OPENINGS.landing_height - 1e-9))
     result: list[Obstruction] = []
     for door, landing in enumerate(landings(scene.room)):
         area = shared_area(found.footprints[rows], landing)
         result += [
             Obstruction(door, found.names[row], float(shared))
             for row, shared in zip(rows, area, strict=True)
-            if shared > limits.area
+            if shared > JUDGE.area
         ]
     return tuple(result)
 
 
-def _inside(scene: Scene, found: Boxes, limits: PhysicsLimits) -> NDArray[np.bool_]:
-    grown = room_polygon(scene.room).buffer(limits.boundary)
+def _inside(scene: Scene, found: Boxes) -> NDArray[np.bool_]:
+    grown = room_polygon(scene.room).buffer(JUDGE.boundary)
     shapely.prepare(grown)
-    slack = limits.boundary + 1e-9
+    slack = JUDGE.boundary + 1e-9
     height = (found.bottom >= -slack) & (found.top <= scene.room.wall_height + slack)
     return found.placed & height & shapely.covers(grown, found.footprints)
 
 
-def _held(scene: Scene, found: Boxes, limits: PhysicsLimits) -> NDArray[np.bool_]:
+def _held(scene: Scene, found: Boxes) -> NDArray[np.bool_]:
     """Return what is held in a way that its flags allow: at a wall, from the ceiling, on the floor, or on what is held."""
     assets = scene.assets
-    tolerance = limits.support + 1e-9
+    tolerance = JUDGE.carried + 1e-9
     on_wall = np.array([asset.on_wall for asset in assets], dtype=bool)
     stands = np.array([a.on_floor or a.on_object or not (a.on_wall or a.on_ceiling) for a in assets], dtype=bool)
     walls = room_polygon(scene.room).exterior
@@ -203,7 +202,7 @@ def _outside_sentence(scene: Scene, found: Boxes, row: int) -> str:
     return f"{name} sticks {depth:.2f} m out of the room ({out.area:.3f} m2 of its footprint)."
 
 
-def _floating_sentence(scene: Scene, found: Boxes, row: int, limits: PhysicsLimits) -> str:
+def _floating_sentence(scene: Scene, found: Boxes, row: int) -> str:
     asset, name = scene.assets[row], found.names[row]
     if asset.on_ceiling:
         return f"{name} hangs {scene.room.wall_height - found.top[row]:.2f} m below the ceiling instead of from it."

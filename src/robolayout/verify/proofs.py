@@ -23,7 +23,7 @@ from robolayout.scene import ROUNDING, Agent, Asset, Layout, Opening, Pose, Room
 from robolayout.verify._boxes import landings, room_polygon
 from robolayout.verify._obstacles import NOTHING
 from robolayout.verify._space import disc_space, plan_distances, reached_rows
-from robolayout.verify.limits import FINE, PhysicsLimits
+from robolayout.verify.limits import FINE, JUDGE
 from robolayout.verify.navigation import Navigation, misfits
 from robolayout.verify.passages import largest
 from robolayout.verify.use import usage
@@ -145,14 +145,14 @@ def overfull(scene: Scene) -> tuple[str, ...]:
     Counted is what can only stand on the floor, rugs and what may also stand on other things or hang aside, with what it fills at
     that height at which all together fill most: no two can be there in one place.
     """
-    floor, limits = room_polygon(scene.room), PhysicsLimits()
+    floor = room_polygon(scene.room)
     standing = [a for a in scene.assets if a.on_floor and not (a.is_flat or a.on_wall or a.on_ceiling or a.on_object)]
     filled = np.array([_filled(asset) for asset in standing]).reshape(len(standing), len(HEIGHTS))
     fills = dict(zip(standing, filled[:, int(filled.sum(axis=0).argmax())].tolist(), strict=True))
     standing.sort(key=lambda asset: -fills[asset])
     needed = sum(fills.values())
     clear = float(shapely.union_all(landings(scene.room)).intersection(floor).area) if scene.room.doors else 0.0
-    room = floor.buffer(limits.boundary).area - clear + limits.area * len(standing)  # what the judge tolerates
+    room = floor.buffer(JUDGE.boundary).area - clear + JUDGE.area * len(standing)  # what the judge tolerates
     if needed <= max(room, floor.area - clear):
         return ()
     left = needed - np.cumsum([fills[asset] for asset in standing])
@@ -174,7 +174,7 @@ def overfull(scene: Scene) -> tuple[str, ...]:
 @lru_cache(maxsize=1024)
 def _filled(asset: Asset) -> NDArray[np.float64]:
     """Return how many square metres an asset that stands on the floor fills at each of `HEIGHTS`."""
-    shape, slack = prisms_of(asset), PhysicsLimits().height
+    shape, slack = prisms_of(asset), JUDGE.height
     rings = np.array([prism.outline for prism in shape])
     there = np.array([(p.low + slack - 1e-9 <= HEIGHTS) & (p.high - slack + 1e-9 >= HEIGHTS) for p in shape])
     sets, which = np.unique(there, axis=1, return_inverse=True)
