@@ -35,9 +35,8 @@ def _meant(path: Path) -> str:
     if not os.path.isdir(path.parent):
         return ""
     try:
-        near = difflib.get_close_matches(
-            path.name[:200], sorted(entry.name for entry in path.parent.iterdir()), n=1, cutoff=0.75
-        )
+        names = sorted(entry.name for entry in path.parent.iterdir())
+        near = difflib.get_close_matches(path.name[:200], names, n=1, cutoff=0.75)
     except OSError:
         return ""
     return f"did you mean {str(path.with_name(near[0]))!r}? Or " if near else ""
@@ -107,10 +106,8 @@ class Checker:
         if len(entries) not in count:
             allowed = " or ".join(str(n) for n in count)
             raise self.error(f"{where} must have {allowed} numbers, but has {len(entries)}.")
-        return tuple(
-            self.number(entry, f"{where}[{i}]", least=-LIMITS.length * 10, most=LIMITS.length * 10)
-            for i, entry in enumerate(entries)
-        )
+        far = LIMITS.length * 10
+        return tuple(self.number(entry, f"{where}[{i}]", least=-far, most=far) for i, entry in enumerate(entries))
 
     def text(self, value: object, where: str, most: int = LIMITS.text) -> str:
         """Return `value` if it is a text of at most `most` characters."""

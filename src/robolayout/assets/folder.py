@@ -119,11 +119,8 @@ def _unsure(name: str, entry: Mapping[str, Any]) -> Iterator[str]:
 
 def _mesh_files(directory: Path) -> Iterator[Path]:
     """Yield mesh files below a folder in the order of their names; links are not followed."""
-    found = (
-        p
-        for p in directory.rglob("*")
-        if p.suffix.lower() in MESH_SUFFIXES and os.path.isfile(p) and not p.is_symlink()
-    )
+    named = (path for path in directory.rglob("*") if path.suffix.lower() in MESH_SUFFIXES)
+    found = (path for path in named if os.path.isfile(path) and not path.is_symlink())
     root = directory.resolve()
     inside = sorted(p for p in found if p.resolve().is_relative_to(root))
     if len(inside) > LIMITS.folder_files:

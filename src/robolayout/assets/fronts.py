@@ -81,44 +81,36 @@ def hollowed(made: Sequence[Part]) -> tuple[Part, ...]:
     """Return the parts of a thing that has insides: the plain box behind each front is cut out, for a tray or for shelves."""
     out = list(made)
     for front in (part for part in made if part.joint is not None and (part.name, *part.joint.axis[:2]) in OPEN):
-        low, high = ends(front)
+        low, high = front.ends
         behind = [part for part in made if part.joint is None and _meets(part, low - (FRONTS.behind, 0.0, 0.0), high)]
         back = min((part.vertices[:, 0].min() for part in behind), default=low[0]) + FRONTS.board
         inset = FRONTS.board / 2 if front.name == "drawer" else FRONTS.board
         hole = np.array([(back, *(low[1:] + inset)), (low[0], *(high[1:] - inset))])
         bodies = [part for part in out if _meets(part, *hole)]
-        if (
-            bodies
-            and (hole[1] - hole[0]).min() > FRONTS.shallow
-            and all(_is_block(part) for part in (*behind, *bodies))
-        ):
+        deep = (hole[1] - hole[0]).min() > FRONTS.shallow
+        if bodies and deep and all(map(_is_block, (*behind, *bodies))):
             out = [piece for part in out for piece in (_cut(part, hole) if part in bodies else (part,))]
             within = _tray(front.material, hole) if front.name == "drawer" else _shelves(bodies[0].material, hole)
             out += [replace(part, joint=front.joint if front.name == "drawer" else None) for part in within]
     return tuple(out)
 
 
-def ends(part: Part) -> Box:
-    """Return the low and the high corner (2, 3) of a part."""
-    return np.stack([part.vertices.min(axis=0), part.vertices.max(axis=0)])
-
-
 def _meets(part: Part, low: Box, high: Box) -> bool:
     """Return whether a part's box shares room with another one."""
-    own = ends(part)
+    own = part.ends
     return bool((np.minimum(own[1], high) - np.maximum(own[0], low) > 1e-6).all())
 
 
 def _is_block(part: Part) -> bool:
     """Return whether a part that stays where it is fills its box."""
-    low, high = ends(part)
+    low, high = part.ends
     at_ends = np.isclose(part.vertices, low, atol=1e-6) | np.isclose(part.vertices, high, atol=1e-6)
     return part.joint is None and len(part.vertices) == 8 and bool(at_ends.all())
 
 
 def _cut(part: Part, hole: Box) -> Iterator[Part]:
     """Yield the blocks that are left of one where a hole is cut into it."""
-    rest = ends(part)
+    rest = part.ends
     for axis, end in product(range(3), (0, 1)):
         piece = rest.copy()
         piece[1 - end, axis] = hole[end, axis]
@@ -129,9 +121,7 @@ def _cut(part: Part, hole: Box) -> Iterator[Part]:
 
 def _tray(material: Material, hole: Box) -> Iterator[Part]:
     """Yield floor, back and sides of the drawer in a hole, whose front is there already."""
-    (x0, y0, z0), (x1, y1, z1) = (
-        hole + np.array([[FRONTS.ease, FRONTS.ease, FRONTS.ease], [0.0, -FRONTS.ease, -FRONTS.ease]])
-    ).tolist()
+    (x0, y0, z0), (x1, y1, z1) = (hole + FRONTS.ease * np.array([[1.0, 1.0, 1.0], [0.0, -1.0, -1.0]])).tolist()
     top = z0 + FRONTS.raised * (z1 - z0)
     yield box(TRAY, material, (x0, x1), (y0, y1), (z0, z0 + FRONTS.thin))
     yield box("drawer back", material, (x0, x0 + FRONTS.thin), (y0, y1), (z0 + FRONTS.thin, top))
@@ -144,6 +134,5 @@ def _shelves(material: Material, hole: Box) -> Iterator[Part]:
     (x0, y0, z0), (x1, y1, z1) = hole.tolist()
     count = round((z1 - z0) / FRONTS.pitch)
     for level in np.linspace(z0, z1, max(count, 1) + 1)[1:-1].tolist():
-        yield box(
-            "shelf", material, (x0, x1 - FRONTS.recess), (y0, y1), (level - FRONTS.board / 2, level + FRONTS.board / 2)
-        )
+        thick = (level - FRONTS.board / 2, level + FRONTS.board / 2)
+        yield box("shelf", material, (x0, x1 - FRONTS.recess), (y0, y1), thick)

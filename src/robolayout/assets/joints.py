@@ -119,11 +119,9 @@ def _groups(built: Sequence[Part], rules: Sequence[Rule]) -> Iterator[tuple[Rule
     leaders = [(r, [i]) for r in rules if not r.together for i, p in enumerate(built) if p.name == r.names[0]]
     taken = {group[0] for _, group in leaders}
     for i, part in enumerate(built):
-        near = [
-            (_apart(part, built[group[0]]), n)
-            for n, (rule, group) in enumerate(leaders)
-            if part.name in rule.names and i not in taken
-        ]
+        if i in taken:
+            continue
+        near = [(_apart(part, built[g[0]]), n) for n, (rule, g) in enumerate(leaders) if part.name in rule.names]
         if near and min(near)[0] < JOINTS.near:
             leaders[min(near)[1]][1].append(i)
     yield from leaders
@@ -135,8 +133,7 @@ def _groups(built: Sequence[Part], rules: Sequence[Rule]) -> Iterator[tuple[Rule
 
 def _apart(part: Part, leader: Part) -> float:
     """Return the metres from a part's middle to a leader's box."""
-    middle = (part.vertices.min(axis=0) + part.vertices.max(axis=0)) / 2
-    low, high = leader.vertices.min(axis=0), leader.vertices.max(axis=0)
+    middle, (low, high) = part.ends.mean(axis=0), leader.ends
     return float(np.linalg.norm(np.maximum(low - middle, 0.0) + np.maximum(middle - high, 0.0)))
 
 

@@ -23,12 +23,8 @@ def centre_of_mass(asset: Asset) -> tuple[float, float, float]:
     from robolayout.assets.meshes import parts
 
     kind = category_of(asset)
-    if (
-        max(asset.size) < PRISMS.small
-        and asset.size != kind.size
-        and kind.name in CATALOGUE
-        and not (asset.path or asset.parts)
-    ):
+    known = kind.name in CATALOGUE and not (asset.path or asset.parts)
+    if known and max(asset.size) < PRISMS.small and asset.size != kind.size:
         usual = centre_of_mass(Asset(kind.name, kind.name, kind.size))
         x, y, z = (c * a / b for c, a, b in zip(usual, asset.size, kind.size, strict=True))
         return (x, y, z)

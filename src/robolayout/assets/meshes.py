@@ -22,21 +22,13 @@ def parts(asset: Asset, seed: int = 0, *, shut: bool = False) -> tuple[Part, ...
     Args:
         shut: Whether bodies are solid behind drawers, as whoever cannot open them meets them.
     """
+    said = {key: value for key, value in asset.metadata.items() if isinstance(value, str)}
     if asset.path is not None:
         from robolayout.assets.own import load_mesh_parts
 
-        up, front = (asset.metadata.get(key) for key in ("up", "front"))
-        return load_mesh_parts(
-            asset.path,
-            asset.size,
-            up=up if isinstance(up, str) else None,
-            front=front if isinstance(front, str) else None,
-        )
+        return load_mesh_parts(asset.path, asset.size, up=said.get("up"), front=said.get("front"))
     category = category_of(asset)
-    look = asset.metadata.get("look", "")
-    piece = make_piece(
-        category.name, asset.variable or asset.name, asset.name, asset.size, seed, look if isinstance(look, str) else ""
-    )
+    piece = make_piece(category.name, asset.variable or asset.name, asset.name, asset.size, seed, said.get("look", ""))
     build = read_rows(asset.parts, f"asset {asset.name!r}") if asset.parts else builder_for(category)
     made = jointed(fit(build(piece), asset.size), joints_of(category), asset.size)
     made = made if shut else hollowed(made)

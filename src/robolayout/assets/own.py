@@ -157,11 +157,8 @@ def _clustered(piece: Part, most: int) -> Part:
     """Thin a piece to at most `most` triangles: vertices in one cell of a grid become one, at their mean."""
     if len(piece.faces) <= most:
         return piece
-    low, edge, cells = (
-        piece.vertices.min(axis=0),
-        float(np.ptp(piece.vertices, axis=0).max()) or 1.0,
-        float(np.sqrt(most)),
-    )
+    low, cells = piece.vertices.min(axis=0), float(np.sqrt(most))
+    edge = float(np.ptp(piece.vertices, axis=0).max()) or 1.0
     while True:
         grid = np.floor((piece.vertices - low) / edge * cells).astype(np.int64) @ (1 << 42, 1 << 21, 1)
         _, first, index, counts = np.unique(grid, return_index=True, return_inverse=True, return_counts=True)

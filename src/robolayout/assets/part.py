@@ -52,6 +52,11 @@ class Part:
     uv: NDArray[np.float64] | None = None
     joint: Joint | None = None  # with what it moves; None where it stays
 
+    @property
+    def ends(self) -> NDArray[np.float64]:
+        """The low and the high corner (2, 3) of its box."""
+        return np.stack([self.vertices.min(axis=0), self.vertices.max(axis=0)])
+
 
 def fit(pieces: Iterable[Part], size: tuple[float, float, float]) -> tuple[Part, ...]:
     """Scale and move parts, axis by axis, so that together they fill a box of `size` about the origin."""

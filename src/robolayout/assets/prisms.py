@@ -68,13 +68,9 @@ class Prism:
 
     def within(self, other: Prism) -> bool:
         """Return whether it lies in another one in plan; a cut corner of the other that it does not share says no."""
-        inside = (
-            abs(self.x - other.x) + self.hx <= other.hx + 1e-6 and abs(self.y - other.y) + self.hy <= other.hy + 1e-6
-        )
-        if not inside or not other.cut:
-            return inside
-        reach = abs(self.x - other.x) + abs(self.y - other.y) + self.hx + self.hy - self.cut
-        return reach <= other.hx + other.hy - other.cut + 1e-6
+        x, y = abs(self.x - other.x) + self.hx, abs(self.y - other.y) + self.hy
+        inside = x <= other.hx + 1e-6 and y <= other.hy + 1e-6
+        return inside and (not other.cut or x + y - self.cut <= other.hx + other.hy - other.cut + 1e-6)
 
 
 @lru_cache(maxsize=4096)
@@ -82,11 +78,8 @@ def prisms_of(asset: Asset) -> tuple[Prism, ...]:
     """Return the prisms of a thing, the lowest first; its box where it is small, or nobody knows what it looks like."""
     depth, width, height = asset.size
     box = (Prism(0.0, 0.0, depth / 2, width / 2, 0.0, 0.0, height),)
-    if (
-        asset.is_flat
-        or max(asset.size) < PRISMS.small
-        or (asset.path is None and not asset.parts and category_of(asset).group == "unknown")
-    ):
+    drawn = asset.path is not None or asset.parts or category_of(asset).group != "unknown"
+    if asset.is_flat or max(asset.size) < PRISMS.small or not drawn:
         return box
     try:
         spans = piece_spans(asset, shut=True) if asset.path is None else piece_spans(asset)
@@ -225,11 +218,9 @@ def clipped(triangle: Array, low: float, high: float, step: float) -> Array:
             return triangle
     middle, after = triangle.mean(axis=0), np.roll(triangle, -1, axis=0)
     count = 1 + int(np.ptp(triangle, axis=0)[:2].max() / step)
-    along, inward = (
-        np.linspace(0.0, 1.0, count + 1)[axis] for axis in (np.s_[None, :, None, None], np.s_[:, None, None, None])
-    )
-    rim = triangle + along * (after - triangle)
-    return (rim + inward * (middle - rim)).reshape(-1, 3) if count > 1 else triangle
+    share = np.linspace(0.0, 1.0, count + 1)[:, None, None]
+    rim = triangle + share * (after - triangle)
+    return (rim + share[:, None] * (middle - rim)).reshape(-1, 3) if count > 1 else triangle
 
 
 def _covers(points: Array, step: float) -> Iterator[Array]:
@@ -244,13 +235,10 @@ def _covers(points: Array, step: float) -> Iterator[Array]:
     for number in range(PRISMS.rectangles):
         if not left.any():
             return
-        i, j, k, m = (
-            largest_block(full, left.astype(float))
-            if number < PRISMS.rectangles - 1
-            else (0, full.shape[0], 0, full.shape[1])
-        )
+        last = number == PRISMS.rectangles - 1
+        i, j, k, m = (0, full.shape[0], 0, full.shape[1]) if last else largest_block(full, left.astype(float))
         inside = (cells[:, 0] >= i) & (cells[:, 0] < j) & (cells[:, 1] >= k) & (cells[:, 1] < m)
-        inside &= left[cells[:, 0], cells[:, 1]] | (number < PRISMS.rectangles - 1)
+        inside &= left[cells[:, 0], cells[:, 1]] | (not last)
         yield _span(points[inside])
         left[i:j, k:m] = False
 

@@ -189,10 +189,9 @@ class _Reading:
 
     def _steps(self, said: Mapping[str, str]) -> dict[str, slice]:
         """Read what is added to fields."""
-        return {
-            key: self._add(*([self._sum(text)] if key in ("turn", "skip") else self._ends(text, self._length)))
-            for key, text in said.items()
-        }
+        alone = ("turn", "skip")  # fields of one plain number
+        read = {k: [self._sum(t)] if k in alone else self._ends(t, self._length) for k, t in said.items()}
+        return {key: self._add(*values) for key, values in read.items()}
 
     def _remainders(self, text: str) -> tuple[frozenset[int], int]:
         match = re.fullmatch(r"(\d+(?:,\d+)*)/([1-9]\d*)", text)

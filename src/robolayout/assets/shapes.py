@@ -113,9 +113,8 @@ def _drum_faces(sides: int) -> Faces:
     """Return the faces of two rings of `sides` points, the lower first."""
     ring = [(i, (i + 1) % sides) for i in range(sides)]
     walls = [(i, j, j + sides) for i, j in ring] + [(i, j + sides, i + sides) for i, j in ring]
-    caps = [(0, i + 1, i) for i in range(1, sides - 1)] + [
-        (sides, sides + i, sides + i + 1) for i in range(1, sides - 1)
-    ]
+    fan = range(1, sides - 1)
+    caps = [(0, i + 1, i) for i in fan] + [(sides, sides + i, sides + i + 1) for i in fan]
     return np.array(walls + caps, dtype=np.int32)
 
 

@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 from shapely import Polygon
 
 from robolayout._errors import AssetError
-from robolayout.assets.fronts import TRAY, ends
+from robolayout.assets.fronts import TRAY
 from robolayout.assets.lexicon import category_of
 from robolayout.assets.part import Part
 from robolayout.assets.prisms import largest_block, level_tops, piece_spans
@@ -101,11 +101,8 @@ class Surface:
         x0, y0, x1, y1 = self.rectangle
         small, large = sorted(size[:2])
         least, most = sorted((x1 - x0, y1 - y0))
-        return (
-            small <= least + SURFACES.simple
-            and large <= most + SURFACES.simple
-            and size[2] + SURFACES.ease <= self.free
-        )
+        fits = small <= least + SURFACES.simple and large <= most + SURFACES.simple
+        return fits and size[2] + SURFACES.ease <= self.free
 
 
 @lru_cache(maxsize=1024)
@@ -182,10 +179,10 @@ def hung_from(hook: Surface, thing: Asset) -> Surface:
 def _hooks(made: tuple[Part, ...], level: float) -> Iterator[Surface]:
     """Yield the hooks of a thing: slim bars that stick out of something."""
     bars = [part for part in made if part.name in HOOKS]
-    boxes = [(low, high) for part in made if part.name not in HOOKS for low, high in [ends(part)]]
+    boxes = [(low, high) for part in made if part.name not in HOOKS for low, high in [part.ends]]
     number = 0
     for bar in bars:
-        low, high = ends(bar)
+        low, high = bar.ends
         middle = (low + high) / 2
         near = [np.clip(middle, a, b) for a, b in boxes if (np.maximum(a - high, low - b) < SURFACES.ease).all()]
         ways = [way[:2] / np.linalg.norm(way[:2]) for way in middle - near if np.linalg.norm(way[:2]) > SURFACES.ease]
@@ -218,15 +215,10 @@ def _pieces(group: list[tuple[float, Any, str]], spans: NDArray[np.float64]) -> 
     def own(piece: Polygon) -> tuple[float, str]:
         given = np.round(shapely.area(shapely.intersection(areas, piece)), 4).tolist()
         most = max(zip(given, group, strict=True), key=lambda item: (item[0], item[1][0]))
-        return max(
-            top[0] for area, top in zip(given, group, strict=True) if area >= min(SURFACES.least_area / 10, most[0])
-        ), most[1][2]
+        least = min(SURFACES.least_area / 10, most[0])
+        return max(top[0] for area, top in zip(given, group, strict=True) if area >= least), most[1][2]
 
-    whole = (
-        shapely.union_all(areas)
-        .buffer(SURFACES.seam / 2, join_style="mitre")
-        .buffer(-SURFACES.seam / 2, join_style="mitre")
-    )
+    whole = _swelled(shapely.union_all(areas), SURFACES.seam / 2)
     over = (spans[:, 5] > height + SURFACES.level) & (spans[:, 0] < whole.bounds[2]) & (spans[:, 1] > whole.bounds[0])
     rising = over & (spans[:, 4] < height + SURFACES.rises)
     clear = whole.difference(_boxes(spans[rising]))
@@ -248,11 +240,14 @@ def _boxes(spans: NDArray[np.float64]) -> Any:
     return shapely.union_all(shapely.box(*spans[:, PLAN].T)) if len(spans) else Polygon()
 
 
+def _swelled(region: Any, metres: float) -> Any:
+    """Return a region made larger and then smaller again, which fills gaps; with metres below 0 that drops what is thin."""
+    return region.buffer(metres, join_style="mitre").buffer(-metres, join_style="mitre")
+
+
 def _worth(region: Any) -> Iterator[Polygon]:
     """Yield the pieces of a region that can hold something."""
-    opened = region.buffer(-SURFACES.least_side / 2, join_style="mitre").buffer(
-        SURFACES.least_side / 2, join_style="mitre"
-    )
+    opened = _swelled(region, -SURFACES.least_side / 2)
     for piece in shapely.get_parts(opened.simplify(SURFACES.simple)):
         if piece.geom_type == "Polygon" and piece.area >= SURFACES.least_area:
             yield piece
@@ -295,7 +290,6 @@ def _thinned(values: NDArray[np.float64]) -> list[float]:
     """Return coordinates in order: some of the corners', and some evenly between their ends."""
     distinct = np.unique(np.round(values, 6))
     kept = np.linspace(0, len(distinct) - 1, min(len(distinct), SURFACES.corners)).round().astype(int)
-    between = (
-        np.linspace(distinct[0], distinct[-1], SURFACES.evenly) if len(distinct) > SURFACES.square else distinct[:0]
-    )
+    count = SURFACES.evenly if len(distinct) > SURFACES.square else 0
+    between = np.linspace(distinct[0], distinct[-1], count)
     return np.unique(np.concatenate([distinct[kept], between])).tolist()

@@ -44,11 +44,8 @@ def sweeps_of(asset: Asset) -> tuple[Sweep, ...]:
         made = ()
     joints = dict.fromkeys(part.joint for part in made if part.joint is not None and part.joint.span[0] >= 0)
     found = [_sweep(joint, [part for part in made if part.joint == joint], asset) for joint in joints]
-    ahead = [
-        sweep
-        for sweep in found
-        if not sweep.region.is_empty and sweep.region.bounds[2] > asset.size[0] / 2 + JOINTS.slight
-    ]
+    slight = asset.size[0] / 2 + JOINTS.slight
+    ahead = [sweep for sweep in found if not sweep.region.is_empty and sweep.region.bounds[2] > slight]
     depth, width, height = asset.size
     strip = shapely.box(depth / 2, -width / 2, depth / 2 + deep, width / 2)
     return tuple(ahead) or (Sweep(strip, (-height / 2, height / 2)),)

@@ -135,11 +135,8 @@ def _check_folder(folder: Path, ready: Ready) -> None:
     if found.get("digest") == ready.digest() and found.get("robolayout") == __version__:
         return
     keys = changed(_CHECK.mapping(found.get("spec"), f"spec of {head}"), ready.spec)
-    what = (
-        f"its {', '.join(keys)} changed"
-        if keys
-        else f"a file that it names changed, or RoboLayout ({found.get('robolayout')}) did"
-    )
+    what = f"a file that it names changed, or RoboLayout ({found.get('robolayout')}) did"
+    what = f"its {', '.join(keys)} changed" if keys else what
     raise InputError(f"{folder} holds rooms of another SPEC: {what}; choose another folder, or the former SPEC.")
 
 
@@ -206,10 +203,8 @@ class _Run:
                     self._settle()
                     self.tell(self.progress)
         except OutputError as error:
-            done = (
-                f"{self.progress.made} of {self.ready.count} rooms are whole; the same command goes on with the others."
-            )
-            raise OutputError(f"{error} {done}") from error
+            whole = f"{self.progress.made} of {self.ready.count} rooms are whole"
+            raise OutputError(f"{error} {whole}; the same command goes on with the others.") from error
 
     def _take(self, task: Task, made: Made | None) -> None:
         """Keep what was made, or have the room made again."""
@@ -218,10 +213,8 @@ class _Run:
             if self.deaths[task] < WORKERS.deaths:
                 self.queue.appendleft(task.index)
                 return
-            spec = self.ready.spec
-            made = Made(
-                f"its worker ended {WORKERS.deaths} times; bounds are {spec.seconds:g} s and {spec.memory:g} GB"
-            )
+            bounds = f"{self.ready.spec.seconds:g} s and {self.ready.spec.memory:g} GB"
+            made = Made(f"its worker ended {WORKERS.deaths} times; bounds are {bounds}")
         self._time(task, made)
         if made.why:
             self._replace(task.index, made.why)
@@ -240,11 +233,9 @@ class _Run:
             self.queue.appendleft(index)
             return
         del self.tries[index]
-        source = self.ready.sources[index % len(self.ready.sources)].text
-        row = {"source": source}
-        self._write(
-            index, {"status": "missing", "attempt": len(before), "replaced": before, "row": row, "things": []}, {}
-        )
+        row = {"source": self.ready.sources[index % len(self.ready.sources)].text}
+        note = {"status": "missing", "attempt": len(before), "replaced": before, "row": row, "things": []}
+        self._write(index, note, {})
 
     def _write(self, index: int, note: Mapping[str, Any], files: Mapping[str, bytes]) -> None:
         """Put a room in its place, whole or not at all."""
@@ -288,14 +279,8 @@ class _Run:
     def _time(self, task: Task, made: Made) -> None:
         """Write down how long a try took, apart from what it made."""
         file = self.folder / TIMES
-        seconds = [f"{made.seconds.get(name, 0.0):.3f}" for name in STATIONS]
-        line = [
-            task.index,
-            task.attempt,
-            "replaced" if made.why else "made",
-            *seconds,
-            f"{made.seconds.get('memory', 0):.0f}",
-        ]
+        spent = [f"{made.seconds.get(name, 0.0):.3f}" for name in STATIONS] + [f"{made.seconds.get('memory', 0):.0f}"]
+        line = [task.index, task.attempt, "replaced" if made.why else "made", *spent]
         try:
             with file.open("a", encoding="utf-8") as lines:
                 if not lines.tell():

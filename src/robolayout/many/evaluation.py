@@ -168,12 +168,8 @@ def _row(room: Found, agents: tuple[Agent, ...], asset_dir: Path | None) -> dict
 
 def numbers(rows: Sequence[Mapping[str, Any]]) -> list[str]:
     """Return the names of the columns that are figures."""
-    drawn = ("seed", "room", "reach")
-    return [
-        name
-        for name in columns(rows)
-        if name not in drawn and all(isinstance(row.get(name), int | float | None) for row in rows)
-    ]
+    found = (n for n in columns(rows) if all(isinstance(row.get(n), int | float | None) for row in rows))
+    return [name for name in found if name not in ("seed", "room", "reach")]
 
 
 def _column(rows: Sequence[Mapping[str, Any]], name: str) -> NDArray[np.float64]:
@@ -221,9 +217,8 @@ def write_evaluation(found: Evaluation, folder: str | Path) -> list[Path]:
 
 
 def _plots(found: Evaluation) -> dict[str, bytes]:
-    shares = [
-        n for n, mean in found.groups["all"].items() if n.endswith(("_share", "_ratio")) or n == "ok" if mean.count
-    ]
+    known = (name for name, mean in found.groups["all"].items() if mean.count)
+    shares = [name for name in known if name.endswith(("_share", "_ratio")) or name == "ok"]
     by_group = {group: {name: part[name] for name in shares[: PAGES.plotted]} for group, part in found.groups.items()}
     plots = {"means by group, with their intervals": by_group}
     if found.against:
@@ -244,9 +239,8 @@ def _drawn(bars: Mapping[str, Mapping[str, Mean]]) -> bytes:
         found = [part[name] for name in names]
         ends = np.array([[m.mean - m.low for m in found], [m.high - m.mean for m in found]])
         places = np.arange(len(names)) + step * (number - (len(bars) - 1) / 2)
-        axes.errorbar(
-            [m.mean for m in found], places, xerr=np.maximum(ends, 0.0), fmt="o", capsize=2, ms=4, label=group
-        )
+        middles, ends = [m.mean for m in found], np.maximum(ends, 0.0)
+        axes.errorbar(middles, places, xerr=ends, fmt="o", capsize=2, ms=4, label=group)
     axes.set_yticks(range(len(names)), names)
     axes.invert_yaxis()
     axes.grid(alpha=0.3)

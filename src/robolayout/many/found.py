@@ -105,11 +105,8 @@ def _facts(note: Path) -> dict[str, Any]:
     if not os.path.isfile(note):
         return {}
     row = cast("dict[str, Any]", _CHECK.mapping(_CHECK.read_json(note, "room"), f"room {note}").get("row", {}))
-    return {
-        key: row[key]
-        for key in ("source", "style", "dress", "solver", "reach", "seed")
-        if row.get(key) not in (None, "")
-    }
+    drawn = ("source", "style", "dress", "solver", "reach", "seed")
+    return {key: row[key] for key in drawn if row.get(key) not in (None, "")}
 
 
 def read_state(data: Json, name: str, asset_dir: Path | None = None) -> tuple[Scene, Layout]:

@@ -113,15 +113,13 @@ def card(ready: Ready, rows: Sequence[Mapping[str, Any]], reasons: Mapping[str, 
         alike = f"pairs with less than {VARIETY.least:.0%} of their things at other places"
         states += [f"- {near} near-duplicates ({alike}) are left"]
     known = {name: [float(row[name]) for row in rows if row.get(name) is not None] for name in SUMMED}
-    found = ((name, min(v), statistics.fmean(v), max(v)) for name, v in known.items() if v)
+    found = [(name, min(v), statistics.fmean(v), max(v)) for name, v in known.items() if v]
     filled = {
         "count": len(rows),
         "version": __version__,
         "seed": spec.seed,
         "states": "\n".join(states),
-        "figures": "\n".join(
-            f"| {name} | {least:.3g} | {mean:.3g} | {most:.3g} |" for name, least, mean, most in found
-        ),
+        "figures": "\n".join(f"| {name} | {low:.3g} | {mean:.3g} | {high:.3g} |" for name, low, mean, high in found),
         "sources": _table(Counter(row["source"] for row in rows).items()),
         "things": "",
     }

@@ -121,9 +121,8 @@ def _from_words(
 ) -> Scene:
     """Return the scene of a sentence to which everything is added that it leaves open."""
     width, depth = source.size
-    area, ratio, height, density = (
-        float(rng.uniform(*bounds)) for bounds in (spec.area, spec.ratio, spec.height, spec.density)
-    )
+    ranges = (spec.area, spec.ratio, spec.height, spec.density)
+    area, ratio, height, density = (float(rng.uniform(*bounds)) for bounds in ranges)
     doors, windows = (int(rng.integers(low, high + 1)) for low, high in (spec.doors, spec.windows))
     bent = rng.random() < spec.l_shaped
     floor, relation = width * depth * area, width / depth * ratio
@@ -217,11 +216,8 @@ def _files(result: Result, spec: Spec, looks: int, meshes: Path | None) -> dict[
             write_plain(result, folder, home)
             options = replace(export_options(result.report), seed=looks)
             export_all(result.scene, result.layout, spec.formats, folder=folder, options=options, partial=True)
-        found = {
-            path.relative_to(folder).as_posix(): path.read_bytes()
-            for path in sorted(folder.rglob("*"))
-            if path.is_file()
-        }
+        made = (path for path in sorted(folder.rglob("*")) if path.is_file())
+        found = {path.relative_to(folder).as_posix(): path.read_bytes() for path in made}
     return found | {"thumb.png": _thumb(result, found.get("top.png"))}
 
 
@@ -296,9 +292,8 @@ class Rooms(Sequence[Result]):
 def rooms(spec: str | Path | Mapping[str, Any], seed: int | None = None) -> Rooms:
     """Return the rooms of a SPEC as a sequence that makes each one when asked for; raises `InputError` for a SPEC it cannot read."""
     ready = read_spec(spec, **({} if seed is None else {"seed": seed}))
-    return Rooms(
-        ready, None if not ready.meshes else shelved(ready, Path(tempfile.mkdtemp(prefix="robolayout-meshes-")))
-    )
+    meshes = shelved(ready, Path(tempfile.mkdtemp(prefix="robolayout-meshes-"))) if ready.meshes else None
+    return Rooms(ready, meshes)
 
 
 def shelved(ready: Ready, folder: Path) -> Path:

@@ -38,12 +38,9 @@ Thing = tuple[str, float, float, float]  # kind, x and y in metres from the midd
 def things(scene: Scene, layout: Layout) -> tuple[Thing, ...]:
     """Return what stands where in a room, sorted."""
     left, front, right, back = scene.room.bounds
-    middle = ((left + right) / 2, (front + back) / 2)
-    found = [
-        (scene.by_name[name].category, round(p.x - middle[0], 3), round(p.y - middle[1], 3), round(p.yaw, 3))
-        for name, p in layout.items()
-    ]
-    return tuple(sorted(found))
+    x, y = (left + right) / 2, (front + back) / 2
+    kinds = {name: asset.category for name, asset in scene.by_name.items()}
+    return tuple(sorted((kinds[n], round(p.x - x, 3), round(p.y - y, 3), round(p.yaw, 3)) for n, p in layout.items()))
 
 
 class Plan:
@@ -64,11 +61,8 @@ class Plan:
         apart = self.seen[0][None, :, None] - other.seen[:, None, :]
         turned = np.abs((apart[..., 2] + math.pi) % (2 * math.pi) - math.pi)
         metres = np.hypot(apart[..., 0], apart[..., 1])
-        near = (
-            (metres <= VARIETY.near)
-            & (turned <= math.radians(VARIETY.alike))
-            & (self.kinds[:, None] == other.kinds[None, :])
-        )
+        near = (metres <= VARIETY.near) & (turned <= math.radians(VARIETY.alike))
+        near &= self.kinds[:, None] == other.kinds[None, :]
         most = np.minimum(near.any(axis=2).sum(axis=1), near.any(axis=1).sum(axis=1))
         if (bound := self._share(int(most.max()), other)) >= below:
             return bound

@@ -140,9 +140,8 @@ class Question:
 
     def scores(self) -> tuple[Score, ...]:
         """Return the scores of all candidates."""
-        return score_samples(
-            [one.report.figures for one in self.candidates], [one.attempt.asked for one in self.candidates]
-        )
+        asked = [one.attempt.asked for one in self.candidates]
+        return score_samples([one.report.figures for one in self.candidates], asked)
 
     def records(self) -> Iterator[Sample]:
         """Yield all answers with their scores."""

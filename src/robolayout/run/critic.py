@@ -126,10 +126,8 @@ class CriticPass:
 
     def _guesses(self, asked: Program, room: Attempt) -> dict[str, Guess]:
         """Return where things start from: where they stand, except what the amendment puts elsewhere."""
-        before = room.asked.guesses
-        return guesses_of(room.solution.layout) | {
-            name: guess for name, guess in asked.guesses.items() if guess != before.get(name)
-        }
+        elsewhere = dict(item for item in asked.guesses.items() if item not in room.asked.guesses.items())
+        return guesses_of(room.solution.layout) | elsewhere
 
 
 def summary(report: Report) -> str:

@@ -63,9 +63,7 @@ class Difference:
         kept = [name for name in new if name in old and name in changed]
         return PlanMarks(
             ghosts=tuple(old[name].corners(old_sizes[name].size) for name in kept),
-            arrows=tuple(
-                ((old[n].x, old[n].y), (new[n].x, new[n].y)) for n in kept if _metres(old[n], new[n]) >= DIFF.moved
-            ),
+            arrows=tuple((old[n].at, new[n].at) for n in kept if _metres(old[n], new[n]) >= DIFF.moved),
             added=tuple(new[name].corners(new_sizes[name].size) for name in new if name not in old),
             gone=tuple(old[name].corners(old_sizes[name].size) for name in old if name not in new),
         )
@@ -103,9 +101,8 @@ def _moved(old: Asset, new: Asset, start: Pose, end: Pose) -> Iterator[Change]:
         sizes = (" x ".join(f"{length:.2f}" for length in size) for size in (old.size, new.size))
         parts.append("is {1} m instead of {0} m".format(*sizes))
     if parts:
-        yield Change(
-            "thing", new.name, "", ", ".join(parts), metres * (metres >= DIFF.moved), degrees * (degrees >= DIFF.turned)
-        )
+        shift, turn = metres * (metres >= DIFF.moved), degrees * (degrees >= DIFF.turned)
+        yield Change("thing", new.name, "", ", ".join(parts), shift, turn)
 
 
 def _metres(start: Pose, end: Pose) -> float:

@@ -101,13 +101,8 @@ def _is_fixed(home: Path) -> bool:
     if not home.exists():
         return False
     foreign = hasattr(os, "geteuid") and home.stat().st_uid != os.geteuid()
-    return (
-        foreign
-        or not home.name
-        or not _is_free(home.parent)
-        or os.path.ismount(home)
-        or os.path.samefile(home, os.curdir)
-    )
+    held = not home.name or not _is_free(home.parent)
+    return foreign or held or os.path.ismount(home) or os.path.samefile(home, os.curdir)
 
 
 def _hidden(home: Path, kind: str, *, inside: bool) -> Path:

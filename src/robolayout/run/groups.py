@@ -142,10 +142,8 @@ class GroupedRun:
 
     def _joint(self, last: Attempt, parts: list[tuple[Group, Program]], traces: list[Trace]) -> Attempt:
         """Return the whole program, in plain statements, with its layout."""
-        whole = joined(parts)
-        return Attempt(
-            whole, self.whole.filtered(whole, self.scene), replace(last.solution, trace=joined_traces(traces))
-        )
+        whole, found = joined(parts), replace(last.solution, trace=joined_traces(traces))
+        return Attempt(whole, self.whole.filtered(whole, self.scene), found)
 
     def _once_more(self, last: Attempt, traces: list[Trace], *, alone: bool) -> Attempt:
         """Return the same program solved once more by itself, if that is better."""
@@ -228,9 +226,8 @@ class GroupedRun:
         """Plan a group by rules."""
         placed = Layout(question.placed)
         request = PlanRequest(self.scene, question.group, placed, seed=self.whole.seed, asked=self.wishes.demands)
-        asked = about(
-            read_program(OfflinePlanner().plan(request), self.scene), question.group, question.here, question.before
-        )
+        read = read_program(OfflinePlanner().plan(request), self.scene)
+        asked = about(read, question.group, question.here, question.before)
         return self.whole.finished([asked], question.here, question.placed)[0]
 
     def _try(self, question: Question, texts: Sequence[str], attempt: int) -> tuple[str, str]:

@@ -45,10 +45,10 @@ def failed_picture(report: Report, asked: Program, mine: Collection[str]) -> byt
         if move.asset in mine and guess is not None and guess.position is not None:
             here = layout[move.asset]
             meant[move.asset] = Pose(*guess.position[:2], here.z, here.yaw if guess.yaw is None else guess.yaw)
-    ways = {name: ((pose.x, pose.y), (layout[name].x, layout[name].y)) for name, pose in meant.items()}
+    ways = [(pose.at, layout[name].at) for name, pose in meant.items()]
     marks = replace(
         plan_marks(first),
         ghosts=tuple(pose.corners(scene.by_name[name].size) for name, pose in meant.items()),
-        arrows=tuple(way for way in ways.values() if way[0] != way[1]),
+        arrows=tuple(way for way in ways if way[0] != way[1]),
     )
     return png_bytes(model_plan(scene, layout, marks=marks, agent=first.agent))

@@ -68,10 +68,8 @@ def _named(entries: dict[str, Entry], asset_dir: Path | None) -> dict[str, tuple
             "metres), or name the catalogue (catalogue, from) or the folder (--asset-dir) in which to look it up."
         )
     found = reference.look_up(unknown, asset_dir) if asset_dir is not None and unknown else {}
-    return {
-        key: (found[key][0], found[key][1] | dict(entry)) if key in found else (key, entry)
-        for key, entry in entries.items()
-    }
+    looked_up = {key: (name, entry | dict(entries[key])) for key, (name, entry) in found.items()}
+    return {key: looked_up.get(key, (key, entry)) for key, entry in entries.items()}
 
 
 def _check_name(name: str) -> None:

@@ -12,6 +12,7 @@ from robolayout._errors import SceneError
 from robolayout._reading import LIMITS, Checker
 from robolayout.scene.room import OPENINGS, ROUNDING, Opening, Point, Room, Wall
 
+PLACE = ("wall", "offset", "width", "height")  # what a file always says of a door or window
 LEAF = ("hinge", "swing", "open")  # what a door may say of its leaf
 _HANGS = {"hinge": ("left", "right"), "swing": ("in", "out")}
 
@@ -22,9 +23,8 @@ def read_room(data: Mapping[str, object], warnings: list[str]) -> Room:
     """Return the room of a scene file; a clockwise one is turned around, with a warning."""
     boundary = _CHECK.inner(data, "boundary", "the scene", "boundary")
     vertices = _vertices(_CHECK.required(boundary, "floor_vertices", "boundary"))
-    height = _CHECK.number(
-        _CHECK.required(boundary, "wall_height", "boundary"), "boundary.wall_height", above=0.0, most=100.0
-    )
+    given = _CHECK.required(boundary, "wall_height", "boundary")
+    height = _CHECK.number(given, "boundary.wall_height", above=0.0, most=100.0)
     room = Room(vertices, height, floor=_CHECK.text(boundary.get("floor", ""), "boundary.floor", most=40))
     _check_shape(room)
     _check_units(room, warnings)
@@ -44,14 +44,11 @@ def write_room(room: Room) -> dict[str, object]:
         "boundary": {"floor_vertices": [[x, y, 0.0] for x, y in room.vertices], "wall_height": room.wall_height}
         | ({"floor": room.floor} if room.floor else {}),
         "doors": [
-            {"wall": d.wall, "offset": d.offset, "width": d.width, "height": d.height}
+            {key: getattr(d, key) for key in PLACE}
             | {key: value for key in ("sill", *LEAF) if (value := getattr(d, key)) != getattr(Opening, key)}
             for d in room.doors
         ],
-        "windows": [
-            {"wall": w.wall, "offset": w.offset, "width": w.width, "height": w.height, "sill": w.sill}
-            for w in room.windows
-        ],
+        "windows": [{key: getattr(w, key) for key in (*PLACE, "sill")} for w in room.windows],
     }
 
 
@@ -120,9 +117,7 @@ def _touching(a: Wall, b: Wall, room: Room) -> bool:
     if (b.index + 1) % count == a.index:
         return a.distance(b.start) < ROUNDING or b.distance(a.end) < ROUNDING
     ends = [a.distance(b.start), a.distance(b.end), b.distance(a.start), b.distance(a.end)]
-    crossing = (_height(a, b.start) > 0) != (_height(a, b.end) > 0) and (_height(b, a.start) > 0) != (
-        _height(b, a.end) > 0
-    )
+    crossing = all((_height(p, q.start) > 0) != (_height(p, q.end) > 0) for p, q in ((a, b), (b, a)))
     return crossing or min(ends) < ROUNDING
 
 
@@ -139,15 +134,9 @@ def _opening(value: object, where: str, room: Room, warnings: list[str]) -> Open
     window = where.startswith("windows")
     offset = _CHECK.number(_CHECK.required(data, "offset", where), f"{where}.offset", least=-ROUNDING)
     width = _CHECK.number(_CHECK.required(data, "width", where), f"{where}.width", above=0.0)
-    height = _CHECK.number(
-        data.get("height", OPENINGS.window_height if window else OPENINGS.door_height),
-        f"{where}.height",
-        above=0.0,
-        most=100.0,
-    )
-    sill = _CHECK.number(
-        data.get("sill", OPENINGS.window_sill if window else 0.0), f"{where}.sill", least=0.0, most=100.0
-    )
+    usual = (OPENINGS.window_height, OPENINGS.window_sill) if window else (OPENINGS.door_height, 0.0)
+    height = _CHECK.number(data.get("height", usual[0]), f"{where}.height", above=0.0, most=100.0)
+    sill = _CHECK.number(data.get("sill", usual[1]), f"{where}.sill", least=0.0, most=100.0)
     length = room.walls[index].length
     if offset + width > length + ROUNDING:
         raise SceneError(

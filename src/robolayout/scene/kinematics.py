@@ -98,11 +98,9 @@ class Robot:
 
     def points(self, values: Mapping[str, Array], count: int = 1, *, coarse: bool = False) -> Array:
         """Return the corners (count, m, 3) of all hulls in the root's frame, or only of their coarse forms."""
-        poses = self.poses(values, count)
-        hulls = self._coarse if coarse else self.hulls
-        clouds = [
-            hull @ poses[link][:, :3, :3].swapaxes(1, 2) + poses[link][:, None, :3, 3] for link, hull in hulls.items()
-        ]
+        poses, clouds = self.poses(values, count), list[Array]()
+        for link, hull in (self._coarse if coarse else self.hulls).items():
+            clouds.append(hull @ poses[link][:, :3, :3].swapaxes(1, 2) + poses[link][:, None, :3, 3])
         return np.concatenate(clouds, axis=1)
 
     @cached_property
@@ -135,17 +133,13 @@ class Robot:
     def arms(self) -> tuple[Joint, ...]:
         """The joints that move nothing that stands on the ground: its wheels, and where none stands there, all that is lowest."""
         poses = self.poses({})
-        lowest = {
-            link: float((hull @ poses[link][0, 2, :3] + poses[link][0, 2, 3]).min())
-            for link, hull in self.hulls.items()
-        }
+        ups = {link: poses[link][0, 2] for link in self.hulls}
+        lowest = {link: float((hull @ ups[link][:3] + ups[link][3]).min()) for link, hull in self.hulls.items()}
         floor = min(lowest.values(), default=0.0)
         low = {link for link, height in lowest.items() if height < floor + FOLDING.ground}
         rolling = {link for joint in self._wheels for link in self.beyond(joint)}
         standing = low & rolling or low
-        free = (
-            joint for joint in self.joints if joint.kind != "fixed" and joint.mimics is None and joint.low < joint.high
-        )
+        free = (j for j in self.joints if j.kind != "fixed" and j.mimics is None and j.low < j.high)
         return tuple(joint for joint in free if not self.beyond(joint) & standing)
 
     def led(self, values: Mapping[str, float]) -> dict[str, float]:
@@ -163,11 +157,9 @@ class Robot:
         if not self.arms:
             return {}
         rng = np.random.default_rng(seed)
-        starts = [
-            self.rest,
-            *({j.name: float(rng.uniform(j.low, j.high)) for j in self.arms} for _ in range(FOLDING.starts - 1)),
-        ]
-        found = [self._descended(start) for start in starts if start is self.rest or not self.meets(start)]
+        drawn = [{j.name: float(rng.uniform(j.low, j.high)) for j in self.arms} for _ in range(FOLDING.starts - 1)]
+        starts = [self.rest, *(start for start in drawn if not self.meets(start))]
+        found = [self._descended(start) for start in starts]
         return min(found, key=lambda values: round(float(self._size(_column(values))[0]), 4))
 
     def _descended(self, start: Mapping[str, float]) -> dict[str, float]:

@@ -25,6 +25,11 @@ class Pose:
         return all(map(math.isfinite, (self.x, self.y, self.z, self.yaw)))
 
     @property
+    def at(self) -> tuple[float, float]:
+        """Its place in plan, metres."""
+        return (self.x, self.y)
+
+    @property
     def forward(self) -> tuple[float, float]:
         """Unit vector of the front, in plan."""
         return (math.cos(self.yaw), math.sin(self.yaw))

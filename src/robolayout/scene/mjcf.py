@@ -230,12 +230,10 @@ class _Reader:
                 return found
             if given == "axisangle":
                 return Rotation.from_rotvec(values[:3] / np.linalg.norm(values[:3]) * values[3] * self.turn)
-            x, z = (values[:3], np.cross(values[:3], values[3:])) if given == "xyaxes" else (None, values)
-            return (
-                _facing(z)
-                if x is None
-                else Rotation.from_matrix(np.column_stack([a / np.linalg.norm(a) for a in (x, np.cross(z, x), z)]))
-            )
+            if given == "zaxis":
+                return _facing(values)
+            x, z = values[:3], np.cross(values[:3], values[3:])
+            return Rotation.from_matrix(np.column_stack([a / np.linalg.norm(a) for a in (x, np.cross(z, x), z)]))
         except ValueError as error:
             raise self.model.fail(f"{where}: {given} is no rotation ({error}).") from None
 

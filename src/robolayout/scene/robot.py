@@ -77,10 +77,8 @@ def _agent(points: Matrix, about: str, body: Robot) -> Agent:
     figures = {"height": _round(size[2]), "radius": _round(farthest)}
     sources = {**reach.pop("sources", {}), **dict.fromkeys(figures, known)}
     sources["step"] = Source("not in a robot's model; the general default", verified=False)
-    is_disc = farthest <= BODY.round * max(abs(low[0]), abs(low[1]), high[0], high[1]) and max(size[:2]) < 1.25 * min(
-        size[:2]
-    )
-    if not is_disc:
+    is_square = max(size[:2]) < 1.25 * min(size[:2])
+    if not is_square or farthest > BODY.round * max(abs(low[0]), abs(low[1]), high[0], high[1]):
         length, width = _round(size[0]), _round(size[1])
         arc = body.turning()
         circle = _round(2 * math.hypot(arc + width / 2, length) if arc else 2 * farthest)
