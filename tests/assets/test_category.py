@@ -12,6 +12,7 @@ from robolayout.assets.category import DATA, PLACES, SIDES
 
 def test_there_are_at_least_two_hundred_categories_and_all_make_sense() -> None:
     assert len(CATALOGUE) >= 200
+    assert len(CATALOGUE) == sum(len(read_categories(path)) for path in (DATA / "things").glob("*.toml"))
     for name, category in CATALOGUE.items():
         assert category.name == name
         assert category.places

@@ -88,12 +88,8 @@ def cut_separation(
 ) -> Float[Array, "*batch"]:
     """Return the separating-axis distance of two boxes whose corners are cut off at 45 degrees, in metres.
 
-    A box reaches hx |n.x| + hy |n.y| along a unit normal n in its frame, less cut min(|n.x|, |n.y|); the normals are those of
-    its sides and of its cut corners.
-
-    Args:
-        cut_a: How much of either side each cut corner of `a` takes, metres.
-        cut_b: The same of `b`.
+    A box reaches hx |n.x| + hy |n.y| along a unit normal n in its frame, less cut min(|n.x|, |n.y|), where its cut is how much
+    of either side a corner takes; the normals are those of its sides and of its cut corners.
     """
     xp = backend(a.x, b.x)
     dx, dy = b.x - a.x, b.y - a.y

@@ -1,4 +1,4 @@
-"""Checks on the values of a file: each returns the value in its right type or raises one clear sentence.
+"""Opening files, and checks on their values: each returns the value in its right type or raises one clear sentence.
 
 Files are hostile until they have passed through here: sizes, counts, lengths and numbers are bounded.
 """
@@ -9,18 +9,23 @@ import difflib
 import math
 import os
 import reprlib
+import stat
 from collections.abc import Callable, Iterable, Mapping
+from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TypeVar, cast
 
 from robolayout._errors import RoboLayoutError
-from robolayout._reading.files import regular_bytes
 from robolayout._reading.limits import LIMITS
 from robolayout._reading.syntax import Unreadable, check_plain, decoded, json_value, toml_value
 
 Given = TypeVar("Given")
 Made = TypeVar("Made")
+
+MESH_SUFFIXES = (".glb", ".obj", ".ply", ".stl")  # kinds of mesh file that are read
+_HOW = os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0)
+"""Without waiting: a pipe that nobody writes to would hold up its reader for ever."""
 
 
 def show(value: object) -> str:
@@ -32,13 +37,7 @@ def show(value: object) -> str:
 
 def _meant(path: Path) -> str:
     """Return which file beside a missing one may be meant, as the begin of a sentence; nothing where none is like it."""
-    if not os.path.isdir(path.parent):
-        return ""
-    try:
-        names = sorted(entry.name for entry in path.parent.iterdir())
-        near = difflib.get_close_matches(path.name[:200], names, n=1, cutoff=0.75)
-    except OSError:
-        return ""
+    near = difflib.get_close_matches(path.name[:200], _names(path.parent), n=1, cutoff=0.75)
     return f"did you mean {str(path.with_name(near[0]))!r}? Or " if near else ""
 
 
@@ -171,13 +170,17 @@ def misspelt(keys: Iterable[str], known: Iterable[str], where: str) -> list[str]
 
 def _such_as(folder: Path, what: str) -> str:
     """Return ", such as <file>" for the likeliest JSON file in a folder: the one called like `what`, else the first."""
-    try:
-        names = sorted(path.name for path in folder.glob("*.json"))[:1000]
-    except OSError:
-        return ""
+    names = [name for name in _names(folder) if name.endswith(".json")]
     likely = f"{what.split()[0]}.json"
     names = [likely] if likely in names else names[:1]
     return f", such as {folder / names[0]}" if names else ""
+
+
+def _names(folder: Path) -> list[str]:
+    """Return the names in a folder, sorted; none where it cannot be looked into."""
+    with suppress(OSError, ValueError):
+        return sorted(os.listdir(folder))
+    return []
 
 
 def _centimetres(value: float, most: float) -> str:
@@ -185,3 +188,38 @@ def _centimetres(value: float, most: float) -> str:
     if most > LIMITS.length or value > 100 * most:
         return ""
     return f" Lengths are in metres: is it in centimetres? Then write {value / 100:g}."
+
+
+def regular_bytes(path: Path, most: int) -> bytes:
+    """Return the content of a regular file of at most `most` bytes; raises `Unreadable` for anything else."""
+    if os.path.isdir(path):
+        raise Unreadable("is a folder")
+    try:
+        descriptor = os.open(path, _HOW)
+        try:
+            content = _content(descriptor, most)
+        finally:
+            os.close(descriptor)
+    except (FileNotFoundError, NotADirectoryError, ValueError):  # ValueError: a null byte in the path
+        raise Unreadable("does not exist; check the path") from None
+    except OSError as error:
+        raise Unreadable(f"cannot be read: {error.strerror or error}") from None
+    if len(content) > most:
+        raise Unreadable(f"is larger than {most // 1_000_000} MB")
+    return content
+
+
+def _content(descriptor: int, most: int) -> bytes:
+    """Return at most one byte more than `most` of an open file."""
+    if not stat.S_ISREG(os.fstat(descriptor).st_mode):
+        raise Unreadable("is no regular file but a pipe or a device; write its content to a file and name that")
+    with os.fdopen(descriptor, "rb", closefd=False) as file:
+        return file.read(most + 1)
+
+
+def inside(path: Path, folders: Iterable[Path]) -> bool:
+    """Return whether `path`, links followed, lies in one of the folders."""
+    try:
+        return any(path.resolve().is_relative_to(folder.resolve()) for folder in folders)
+    except (OSError, ValueError, RuntimeError):  # too long, a null byte, a loop of links
+        return False

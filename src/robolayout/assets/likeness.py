@@ -65,10 +65,7 @@ def stands(
 ) -> tuple[str, str, float, float]:
     """Return which axis of a mesh most likely points up and which forward, and how sure each is, 0 to 1, if those before it are.
 
-    Args:
-        points: (n, 3) points on it, in its own axes.
-        standard: Up and front as the file's format has them, None where it has no rule.
-        allowed: The ways that are open, some of `WAYS`.
+    Its points (n, 3) are in its own axes; `standard` are up and front as its format has them, `allowed` are some of `WAYS`.
     """
     misfits = {way: _misfit(points, way, category, standard) for way in allowed}
     up, front = best = min(misfits, key=lambda way: misfits[way])

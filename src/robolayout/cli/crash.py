@@ -82,15 +82,13 @@ def _plain(words: Sequence[str]) -> Iterator[str]:
         yield word if command else option[0] if option else "."
 
 
-def _places(error: BaseException) -> Iterator[str]:
-    """Yield file, line and function of each call, the file from its package on."""
+def _places(error: BaseException) -> list[str]:
+    """Return file, line and function of each call, the file from its package on; of very many the first and the last."""
     frames = traceback.extract_tb(error.__traceback__)
-    for number, frame in enumerate(frames):
-        if TOLD.ends <= number < len(frames) - TOLD.ends:
-            if number == TOLD.ends:
-                yield f"  ... {len(frames) - 2 * TOLD.ends} more"
-            continue
-        yield f"  {_below_root(Path(frame.filename))}:{frame.lineno} {frame.name}"
+    places = [f"  {_below_root(Path(frame.filename))}:{frame.lineno} {frame.name}" for frame in frames]
+    if (more := len(places) - 2 * TOLD.ends) > 0:
+        places[TOLD.ends : -TOLD.ends] = [f"  ... {more} more"]
+    return places
 
 
 def _below_root(path: Path) -> str:

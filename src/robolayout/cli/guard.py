@@ -96,10 +96,9 @@ def _open_streams() -> Outlet | None:
             os.open(os.devnull, os.O_RDWR)
     outlets: dict[str, Outlet] = {}
     for number, name in ((1, "stdout"), (2, "stderr")):
-        stream = getattr(sys, name)
-        raw = (
-            stream and getattr(stream.buffer, "raw", stream.buffer) if stream is getattr(sys, f"__{name}__") else stream
-        )
+        stream = raw = getattr(sys, name)
+        if stream and stream is getattr(sys, f"__{name}__"):
+            raw = getattr(stream.buffer, "raw", stream.buffer)
         if raw is None or isinstance(raw, FileIO):
             encoding, lines = ("utf-8", False) if stream is None else (stream.encoding, stream.line_buffering)
             outlets[name] = Outlet(number, "wb", closefd=False)
@@ -132,7 +131,6 @@ def _unread(error: OSError) -> int:
     """Return the exit code where what was printed could not be written, and say why unless the reader just left."""
     if isinstance(error, BrokenPipeError):
         return UNREAD
-    warn(
-        f"what was to be printed cannot be written: {error.strerror}. Files are complete; give it another way, or --quiet."
-    )
+    what = f"what was to be printed cannot be written: {error.strerror}"
+    warn(f"{what}. Files are complete; give it another way, or --quiet.")
     return WRONG

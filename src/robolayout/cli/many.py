@@ -14,7 +14,7 @@ from typer import Argument, Option
 from robolayout._errors import InputError
 from robolayout._text import TOLD
 from robolayout.cli.options import Body, Told, names, spread
-from robolayout.cli.terminal import say, table, warn
+from robolayout.cli.terminal import bulleted, say, table, warn
 
 if TYPE_CHECKING:
     from robolayout.many.dataset import Batch, Progress
@@ -78,16 +78,12 @@ def _tell(found: Batch) -> None:
     say(f"{found.met} of {found.rooms} rooms meet all their demands.")
     if found.unmet:
         say(f"{found.unmet} do not, and were kept.")
-    for index, why in list(found.missing.items())[: TOLD.shown]:
-        say(f"- room {index} was given up: {why}")
-    if len(found.missing) > TOLD.shown:
-        say(f"- and {len(found.missing) - TOLD.shown} more in the index")
+    bulleted([f"room {index} was given up: {why}" for index, why in found.missing.items()], "index")
     if found.replaced:
         rows = [[str(number), why] for why, number in list(found.replaced.items())[: TOLD.shown]]
         table(f"{sum(found.replaced.values())} tries were replaced", ["", "why"], rows)
-    say(
-        *(str(found.folder / name) for name in ("index.csv", "index.parquet", "index.html", "contact.png", "README.md"))
-    )
+    files = ("index.csv", "index.parquet", "index.html", "contact.png", "README.md")
+    say(*(str(found.folder / name) for name in files))
 
 
 @spread

@@ -97,13 +97,8 @@ def _tell(found: Settled | Driven, report: Path | None, told: Told, show: Callab
 def _show_settled(found: Settled, name: str) -> None:
     """Print how far each asset moved, the farthest first, and what is wrong."""
     rows = [
-        [
-            asset,
-            f"{motion.displacement * 1000:.1f} mm",
-            f"{math.degrees(motion.tilt):.2f}",
-            "yes" if motion.stable else "NO",
-        ]
-        for asset, motion in sorted(found.motions.items(), key=lambda pair: -pair[1].displacement)
+        [asset, f"{how.displacement * 1000:.1f} mm", f"{math.degrees(how.tilt):.2f}", "yes" if how.stable else "NO"]
+        for asset, how in sorted(found.motions.items(), key=lambda pair: -pair[1].displacement)
     ]
     table(f"{name} after {found.seconds:g} s of gravity", ["asset", "moved", "tilt (degrees)", "stays"], rows)
     say(f"{found.stable_share:.2f} of the assets stay within 1 cm and 2 degrees")

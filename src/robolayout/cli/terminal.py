@@ -52,6 +52,13 @@ def table(title: str, heads: Sequence[str], rows: Sequence[Sequence[str]]) -> No
     sys.stdout.write(captured.get())
 
 
+def bulleted(sentences: Sequence[str], where: str) -> None:
+    """Print the first of some sentences, one a line, and how many more there are, and where."""
+    say(*(f"- {sentence}" for sentence in sentences[: TOLD.shown]))
+    if len(sentences) > TOLD.shown:
+        say(f"- and {len(sentences) - TOLD.shown} more in the {where}")
+
+
 def show(report: Report, files: Sequence[Path]) -> None:
     """Print what was asked and the short report, what is wrong, and where the files are."""
     if report.asked:
@@ -64,9 +71,7 @@ def show(report: Report, files: Sequence[Path]) -> None:
 
         found = [[name, text, met, source] for name, _, text, met, source in rule_rows(report)]
         table("rules of accessibility, beside the demands", ["rule", "measured", "", "source"], found)
-    say(*(f"- {sentence}" for sentence in report.violations[: TOLD.shown]))
-    if len(report.violations) > TOLD.shown:
-        say(f"- and {len(report.violations) - TOLD.shown} more in the report")
+    bulleted(report.violations, "report")
     from robolayout.verify.present import lying_about
 
     say(*lying_about(report), *report.notes, *report.opinion.get("sentences", ()))

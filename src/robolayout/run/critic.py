@@ -10,7 +10,7 @@ from robolayout._errors import ModelError, ProgramError
 from robolayout.planners import Critic, Feedback, Judgement, PlanRequest, Score, score_samples
 from robolayout.program import Guess, Program, read_salvaged
 from robolayout.run.attempt import Attempt, joined_traces
-from robolayout.run.edit import guesses_of
+from robolayout.run.given import guesses_of
 from robolayout.run.sight import finished_pictures, room_pictures
 from robolayout.verify import Report, verify
 

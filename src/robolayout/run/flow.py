@@ -15,8 +15,7 @@ from robolayout.planners import Critic, Group, GroupPlanner, OfflinePlanner, Pla
 from robolayout.program import Program, Reconciled, read_program, reconcile
 from robolayout.run.attempt import Attempt, Clock, Progress
 from robolayout.run.dressing import dressed
-from robolayout.run.edit import as_start, guesses_of, pinned_poses
-from robolayout.run.given import as_scene
+from robolayout.run.given import as_scene, as_start, guesses_of, pinned_poses
 from robolayout.run.result import Result
 from robolayout.run.verdict import make_judge
 from robolayout.scene import Agent, Layout, Pose, Scene

@@ -19,7 +19,7 @@ from robolayout.program import Guess, Program, Statement, read_program, read_sal
 from robolayout.run.answers import Candidate, Question, Sample
 from robolayout.run.attempt import Attempt, joined_traces
 from robolayout.run.diff import without_figures
-from robolayout.run.edit import guesses_of
+from robolayout.run.given import guesses_of
 from robolayout.run.sight import failed_picture, room_pictures
 from robolayout.scene import Layout, Scene, Trace
 from robolayout.verify import Report, verify

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, Literal
@@ -192,10 +193,8 @@ class Robot:
 
         found: dict[str, ConvexHull] = {}
         for link, hull in self._coarse.items():
-            try:
+            with suppress(QhullError, ValueError):
                 found[link] = ConvexHull(hull)
-            except (QhullError, ValueError):
-                continue
         return found
 
     @cached_property
