@@ -257,21 +257,21 @@ def _named(found: Iterable[tuple[Surface, str]]) -> Iterator[Surface]:
     """Yield surfaces with names: shelves and steps are counted from below."""
     ordered = sorted(found, key=lambda item: (item[0].height, item[0].region.centroid.coords[0]))
     highest = max((s.height for s, _ in ordered if not s.covered), default=0.0)
-    words = [
-        "drawer"
-        if word == TRAY
-        else "shelf"
-        if s.covered
-        else "seat"
-        if "back" not in word and any(soft in word for soft in SOFT)
-        else "top"
-        if s.height == highest
-        else "step"
-        for s, word in ordered
-    ]
+    words = [_word(surface, part, highest) for surface, part in ordered]
     for i, (surface, _) in enumerate(ordered):
         alone = words.count(words[i]) == 1 and words[i] not in COUNTED
         yield replace(surface, name=words[i] if alone else f"{words[i]} {words[: i + 1].count(words[i])}")
+
+
+def _word(surface: Surface, part: str, highest: float) -> str:
+    """Return what a surface is called, by the part that gives most of it."""
+    if part == TRAY:
+        return "drawer"
+    if surface.covered:
+        return "shelf"
+    if "back" not in part and any(soft in part for soft in SOFT):
+        return "seat"
+    return "top" if surface.height == highest else "step"
 
 
 def _largest_rectangle(region: Polygon) -> tuple[float, float, float, float]:

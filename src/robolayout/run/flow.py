@@ -231,17 +231,18 @@ class Run:
         """Plan with a model, group by group; the report says who planned."""
         from robolayout.run.groups import GroupedRun
 
-        planned = GroupedRun(self, planner).run(groups)
-        best, parts = planned.attempt, [planned.to_dict()]
+        planned = GroupedRun(self, planner)
+        best, groups, told = planned.run(groups)
+        parts = [told]
         if isinstance(planner, Critic) and planner.critic:
             from robolayout.run.critic import CriticPass
 
             best, said = CriticPass(self, planner).run(best)
             parts.append(said.to_dict())
-        parts = [planner.to_dict(), *parts]
+        parts = [planner.to_dict(), *parts]  # what all of it cost is known now
         sentences = [sentence for part in parts for sentence in part["sentences"]]
         who = {key: value for part in parts for key, value in part.items()} | {"sentences": sentences}
-        return replace(self.result(best, planned.groups, who), samples=planned.samples)
+        return replace(self.result(best, groups, who), samples=tuple(planned.samples))
 
     def reported(self, best: Attempt) -> Report:
         """Judge the whole layout, and look what unmet statements lost to."""

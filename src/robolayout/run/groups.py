@@ -8,7 +8,7 @@ of a group is kept, whenever it came. A group may ask for an earlier one to be p
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
@@ -26,33 +26,6 @@ from robolayout.verify import Report, verify
 
 if TYPE_CHECKING:
     from robolayout.run.flow import Run
-
-
-@dataclass(frozen=True)
-class Planned:
-    """What came of planning with a model."""
-
-    attempt: Attempt  # the whole program and its solution
-    groups: tuple[Group, ...]  # the groups as they were planned
-    samples: tuple[Sample, ...]  # all answers, in the order in which they were given
-    taken_over: Mapping[str, str]  # why the offline planner planned a group, by its label
-    given_up: Mapping[str, str]  # why a group was not asked for again though something was wrong, by its label
-    # what the kept answers say that could not be read, and what they say nothing about, in sentences
-    left_out: tuple[str, ...] = ()
-    # why a group was planned again for the sake of a later one, in sentences, by its label
-    reopened: Mapping[str, str] | None = None
-
-    def to_dict(self) -> dict[str, Any]:
-        """Return what the report says of it: what was taken over, and all of it in sentences."""
-        readable = sum(sample.score is not None for sample in self.samples)
-        sentences = [
-            f"{len(self.samples)} programs were given for {len(self.groups)} groups, {readable} of them could be read.",
-            *(f"The offline planner took over group {label!r}: {why}" for label, why in self.taken_over.items()),
-            *(f"Group {label!r} was not asked for again: {why}" for label, why in self.given_up.items()),
-            *(f"Group {label!r} was planned again: {why}" for label, why in (self.reopened or {}).items()),
-            *self.left_out,
-        ]
-        return {"taken_over": dict(self.taken_over), "given_up": dict(self.given_up), "sentences": sentences}
 
 
 @dataclass(frozen=True)
@@ -85,15 +58,18 @@ class GroupedRun:
         self.scene, self.wishes, self.clock, self.say = whole.scene, whole.wishes, whole.clock, whole.say
         self._answered = False
         self._tries = Counter[str]()
-        self._samples: list[Sample] = []
+        self.samples: list[Sample] = []  # all answers, in the order in which they were given
         self._said: dict[str, str] = {}
-        self._taken_over: dict[str, str] = {}
-        self._given_up: dict[str, str] = {}
-        self._reopened: dict[str, str] = {}
+        self._taken_over: dict[str, str] = {}  # why the offline planner planned a group, by its label
+        self._given_up: dict[str, str] = {}  # why a group was not asked for again though something was wrong
+        self._reopened: dict[str, str] = {}  # why a group was planned again for the sake of a later one
         self._gone: ModelError | None = None  # nobody waits for a dead server once for each group
 
-    def run(self, groups: tuple[Group, ...]) -> Planned:
-        """Plan one group after the other; what is placed stays, and what is said stays said."""
+    def run(self, groups: tuple[Group, ...]) -> tuple[Attempt, tuple[Group, ...], dict[str, Any]]:
+        """Plan one group after the other; what is placed stays, and what is said stays said.
+
+        Return the whole program with its solution, the groups as they were planned, and what the report says of it.
+        """
         stands: list[_Standing] = []
         self._answered = len(groups) > 1
         while len(stands) < len(groups):
@@ -102,7 +78,7 @@ class GroupedRun:
             if isinstance(found, _Reopen):
                 self._reopen(groups, stands, group.label, found)
             else:
-                self._samples += found.samples
+                self.samples += found.samples
                 stands.append(found)
         best, traces = stands[-1].attempt, [standing.attempt.solution.trace for standing in stands]
         if not best.solution.verdict.ok and (len(groups) > 1 or self.planner.samples > 1):
@@ -111,9 +87,19 @@ class GroupedRun:
             best = self._joint(best, [(g, s.part) for g, s in zip(groups, stands, strict=True)], traces)
         other = " Planned by the offline planner in place of the model."
         done = tuple(replace(g, rationale=g.rationale + other * (g.label in self._taken_over)) for g in groups)
-        left_out = tuple(sentence for standing in stands for sentence in standing.left_out)
-        given = (tuple(self._samples), self._taken_over, self._given_up, left_out, self._reopened)
-        return Planned(best, done, *given)
+        return best, done, self._told(stands)
+
+    def _told(self, stands: Sequence[_Standing]) -> dict[str, Any]:
+        """Return what the report says: what was taken over, and all of it in sentences."""
+        readable = sum(sample.score is not None for sample in self.samples)
+        sentences = [
+            f"{len(self.samples)} programs were given for {len(stands)} groups, {readable} of them could be read.",
+            *(f"The offline planner took over group {label!r}: {why}" for label, why in self._taken_over.items()),
+            *(f"Group {label!r} was not asked for again: {why}" for label, why in self._given_up.items()),
+            *(f"Group {label!r} was planned again: {why}" for label, why in self._reopened.items()),
+            *(sentence for standing in stands for sentence in standing.left_out),
+        ]
+        return {"taken_over": self._taken_over, "given_up": self._given_up, "sentences": sentences}
 
     def _question(self, groups: tuple[Group, ...], stands: list[_Standing]) -> Question:
         """Return the question for the last of the groups, in the room as the earlier ones left it."""
@@ -134,7 +120,7 @@ class GroupedRun:
         self._said |= {group.label: s.text for group, s in zip(groups, stands, strict=False) if s.text}
         self._said[asking] = wish.text
         again = {group.label for group in groups[first:]}
-        self._samples = [replace(s, kept=s.kept and s.group not in again) for s in (*self._samples, *wish.samples)]
+        self.samples = [replace(s, kept=s.kept and s.group not in again) for s in (*self.samples, *wish.samples)]
         for label in again:
             self._taken_over.pop(label, None)
             self._given_up.pop(label, None)
