@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from robolayout._grid import components
-from robolayout.floor import Contents, make_ground, obstacles_of, plan_routes
+from robolayout.floor import Contents, make_ground, plan_routes
 from robolayout.floor.cells import cells_of, entered, entries
 from robolayout.scene import Agent, Asset, Opening, Room, Scene
 
@@ -21,7 +21,7 @@ DISC = Agent("disc", radius=0.3, height=1.5, reach_distance=0.7)
 def ground_of(room: Room, agent: Agent = DISC):
     scene = Scene(room, (BOX,), agents=(agent,))
     contents = Contents(scene, (-1,), np.array([0.4]), np.array([[0.45, 0.45]]))
-    return make_ground(contents, agent, 0.05), obstacles_of(contents, agent)
+    return make_ground(contents, agent, 0.05)
 
 
 @pytest.mark.parametrize("radius", [0.2, 0.45, 0.9])
@@ -59,17 +59,17 @@ def test_the_landing_decides_which_region_is_entered() -> None:
 
 
 def test_every_door_is_one_to_get_to() -> None:
-    ground, obstacles = ground_of(ROOM)
+    ground = ground_of(ROOM)
     away, before_the_second = np.array([[4.0, 2.0, 1.0, 0.0]]), np.array([[3.95, 3.55, 1.0, 0.0]])
-    assert plan_routes(ground, away, obstacles).blocked == 0
-    shut = plan_routes(ground, before_the_second, obstacles)
+    assert plan_routes(ground, away).blocked == 0
+    shut = plan_routes(ground, before_the_second)
     assert (shut.blocked, {*shut.demands[:, 2]}) == (1, {0})
     assert ground.doors.shape == (2, 2) and ground.start == tuple(ground.doors[0].tolist())
 
 
 def test_without_a_door_bodies_start_where_there_is_most_room() -> None:
-    ground, obstacles = ground_of(Room(((0, 0), (5, 0), (5, 4), (0, 4)), 2.5))
+    ground = ground_of(Room(((0, 0), (5, 0), (5, 4), (0, 4)), 2.5))
     assert ground.start is not None
     assert ground.wall_distance[ground.start] == ground.wall_distance.max()
-    nowhere, _ = ground_of(ROOM, Agent("giant", radius=2.5, height=2.0))
-    assert nowhere.start is None and not plan_routes(nowhere, np.array([[4.0, 2.0, 1.0, 0.0]]), obstacles).blocked
+    nowhere = ground_of(ROOM, Agent("giant", radius=2.5, height=2.0))
+    assert nowhere.start is None and not plan_routes(nowhere, np.array([[4.0, 2.0, 1.0, 0.0]])).blocked

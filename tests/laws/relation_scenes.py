@@ -136,7 +136,7 @@ def vary(relation: Relation, scene: Scene, rng: np.random.Generator, chance: flo
 def stage_arrays(problem: Problem) -> Arrays:
     """Return the solver's arrays of one statement: what holds wall things and keeps doors clear is left out."""
     arrays = make_stage(problem, 0, problem.start).arrays
-    terms = [term for row in problem.statement_terms for term in row]
+    terms = list(problem.statement_terms)
     framed = sum(isinstance(term, FrameTerm) for term in terms)
     implicit = sum(isinstance(term, ClearTerm) for term in problem.implicit_terms)
     row, clear = arrays.frame_row.copy(), arrays.clear_weight.copy()

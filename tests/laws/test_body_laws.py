@@ -16,7 +16,7 @@ from hypothesis import strategies as st
 from robolayout._grid import components
 from robolayout.assets import category_of
 from robolayout.assets.meshes import parts
-from robolayout.floor.ground import Obstacles, clearance, make_ground, obstacles_of
+from robolayout.floor.ground import Obstacles, clearance, make_ground
 from robolayout.floor.routes import _rows as demand_rows
 from robolayout.scene import Agent, Asset, Layout, Opening, Pose, Room, Scene, load_agent
 from robolayout.solve import compile_problem
@@ -273,8 +273,7 @@ def grid(scene: Scene, layout: Layout, agent: Agent):
     problem = compile_problem(scene, built=layout)
     world = np.array([(p.x, p.y, math.cos(p.yaw), math.sin(p.yaw)) for p in (layout[n] for n in problem.names)])
     ground = make_ground(problem.contents, agent, 0.05)
-    things = obstacles_of(problem.contents, agent)
-    return problem, ground, world, things
+    return problem, ground, world, ground.obstacles
 
 
 def field_of(ground, world, things: Obstacles) -> np.ndarray:
@@ -321,11 +320,11 @@ def test_what_is_asked_of_a_box_is_what_its_part_lacks(seed: int):
     """The search pushes whole boxes: each asked point is as far from its box as the route's point is from the part."""
     scene, layout = furnished_room(seed)
     agent = body(seed)
-    problem, _, world, things = grid(scene, layout, agent)
+    problem, ground, world, things = grid(scene, layout, agent)
     rng = np.random.default_rng(seed)
     count = len(things.slot)
     points = rng.uniform(0, 4, (count, 2))
-    asked = demand_rows(points, np.arange(count), 0.3, world, things, problem.half)
+    asked = demand_rows(ground, world, points, np.arange(count), 0.3)
     for k in range(count):
         part = rectangle(*things.poses(world)[k], *things.half[k])
         whole = rectangle(*world[things.slot[k]], *problem.half[things.slot[k]])

@@ -14,7 +14,7 @@ from test_use_laws import dining
 
 from robolayout._grid import components
 from robolayout.floor.goals import missed
-from robolayout.floor.ground import Ground, clearance, make_ground, obstacles_of
+from robolayout.floor.ground import Ground, clearance, make_ground
 from robolayout.scene import Agent, Layout, Scene, load_agent, vertical_span
 from robolayout.scene.agent import BODY
 from robolayout.solve import compile_problem
@@ -55,11 +55,11 @@ def missing(scene: Scene, layout: Layout, agent: Agent) -> tuple[set[str], Groun
     parent = tuple(boxes(scene, layout).carriers.tolist())
     problem = replace(compile_problem(scene, built=layout), guess=layout, parent=parent)
     world = np.array([(p.x, p.y, math.cos(p.yaw), math.sin(p.yaw)) for p in (layout[n] for n in problem.names)])
-    ground, things = make_ground(problem.contents, agent, CELL), obstacles_of(problem.contents, agent)
-    passable = ground.passable(clearance(ground, world, things))
+    ground = make_ground(problem.contents, agent, CELL)
+    passable = ground.passable(clearance(ground, world, ground.obstacles))
     regions, _ = components(passable)
     home = (regions == regions[ground.start]) & passable
-    rows = missed(ground, world, things, passable, home)
+    rows = missed(ground, world, passable, home)
     return {problem.names[slot] for slot in ground.targets.slots[rows]}, ground
 
 

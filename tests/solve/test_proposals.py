@@ -14,8 +14,8 @@ from robolayout.scene import Asset, Room
 from robolayout.solve import Problem
 from robolayout.solve.construct import Builder
 from robolayout.solve.proposals import Proposals, frame_of
+from robolayout.solve.refine import bring_in, near
 from robolayout.solve.stage import make_stage, relative
-from robolayout.solve.starts import bring_in, near
 
 ROOMS = pytest.mark.parametrize("room", [SQUARE, L_SHAPED, TRIANGLE], ids=["square", "L", "triangle"])
 CHAIRS = tuple(Asset(f"chair-{i}", "chair", (0.5, 0.5, 0.9)) for i in range(3))

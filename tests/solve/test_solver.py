@@ -33,7 +33,7 @@ from solve_rooms import (
     solved,
 )
 
-from robolayout.floor.ground import make_ground, obstacles_of
+from robolayout.floor.ground import make_ground
 from robolayout.floor.routes import plan_routes
 from robolayout.program import read_program, reconcile
 from robolayout.run.flow import make_judge, solve
@@ -185,13 +185,13 @@ shelf[0].rotation = [0, 0, pi / 2]
 table[0].position = [1, 5, 0.4]"""
     problem = problem_of(scene, text)
     ground = make_ground(problem.contents, DISC, 0.05)
-    plan = plan_routes(ground, problem.start, obstacles_of(problem.contents, DISC))
+    plan = plan_routes(ground, problem.start)
     assert plan.blocked and {*plan.demands[:, 2]} == {0}
     assert 0.0 in plan.demands[:, 2]
     assert (plan.demands[:, 3] > DISC.radius).all()
     free = problem.start.copy()
     free[:] = (0.25, 3, 1, 0), (3.4, 5.2, 1, 0)
-    assert not plan_routes(ground, free, obstacles_of(problem.contents, DISC)).blocked
+    assert not plan_routes(ground, free).blocked
     assert solved(scene, text).verdict.access == 0.0
 
 
@@ -201,10 +201,10 @@ def test_plates_and_rugs_are_no_obstacles_of_their_own() -> None:
     text = "solver.on_top_of(plate[0], table[0])"
     problem = problem_of(room_of(TABLE, plate, RUG, PICTURE, PENDANT), text)
     vacuum = replace(DISC, height=0.1)
-    assert set(obstacles_of(problem.contents, vacuum).slot) == {0}
-    assert 2 not in obstacles_of(problem.contents, DISC).slot
+    assert set(make_ground(problem.contents, vacuum, 0.05).obstacles.slot) == {0}
+    assert 2 not in make_ground(problem.contents, DISC, 0.05).obstacles.slot
     high = replace(DISC, height=1.6)
-    assert 4 not in obstacles_of(problem.contents, high).slot
+    assert 4 not in make_ground(problem.contents, high, 0.05).obstacles.slot
 
 
 @pytest.mark.parametrize(
@@ -262,7 +262,7 @@ def test_refinement_and_repair_never_end_worse() -> None:
     better = 0
     for seed in range(6):
         solver = Solver(problem, judge, replace(QUICK, effort=Effort(mendings=8)), seed=seed)
-        solver.grounds = [(make_ground(problem.contents, DISC, 0.05), obstacles_of(problem.contents, DISC))]
+        solver.grounds = [make_ground(problem.contents, DISC, 0.05)]
         world = scattered(problem, rng)
         before = judge(problem.layout(world))
         for step in (solver._repair, partial(solver._near, 1), solver._restored):

@@ -3,42 +3,28 @@
 It knows rooms, bodies and what stands in their way, but no statements; the judge in `verify` works all of this out for itself.
 """
 
-from robolayout.floor.cells import Cells, cell_size, turning_radius
-from robolayout.floor.config import FLOOR, FloorConfig
-from robolayout.floor.furnished import Floor, Points, Shadow, placed, rect_points
-from robolayout.floor.goals import missed
-from robolayout.floor.ground import Ground, Obstacles, clearance, make_ground, obstacles_of
-from robolayout.floor.routes import Plan, plan_routes
-from robolayout.floor.standing import Standing, standing, use_cells
-from robolayout.floor.targets import SIDES, Contents, Targets, targets_of
-from robolayout.floor.walked import Blocks, Walked
-
-__all__ = [
-    "FLOOR",
-    "SIDES",
-    "Blocks",
-    "Cells",
-    "Contents",
-    "Floor",
-    "FloorConfig",
-    "Ground",
-    "Obstacles",
-    "Plan",
-    "Points",
-    "Shadow",
-    "Standing",
-    "Targets",
-    "Walked",
-    "cell_size",
-    "clearance",
-    "make_ground",
-    "missed",
-    "obstacles_of",
-    "placed",
-    "plan_routes",
-    "rect_points",
-    "standing",
-    "targets_of",
-    "turning_radius",
-    "use_cells",
-]
+from robolayout.floor.cells import Cells as Cells
+from robolayout.floor.cells import cell_size as cell_size
+from robolayout.floor.cells import turning_radius as turning_radius
+from robolayout.floor.config import FLOOR as FLOOR
+from robolayout.floor.config import FloorConfig as FloorConfig
+from robolayout.floor.furnished import Floor as Floor
+from robolayout.floor.furnished import Points as Points
+from robolayout.floor.furnished import Shadow as Shadow
+from robolayout.floor.furnished import placed as placed
+from robolayout.floor.furnished import rect_points as rect_points
+from robolayout.floor.goals import missed as missed
+from robolayout.floor.ground import Ground as Ground
+from robolayout.floor.ground import clearance as clearance
+from robolayout.floor.ground import make_ground as make_ground
+from robolayout.floor.routes import Plan as Plan
+from robolayout.floor.routes import plan_routes as plan_routes
+from robolayout.floor.standing import Standing as Standing
+from robolayout.floor.standing import standing as standing
+from robolayout.floor.standing import use_cells as use_cells
+from robolayout.floor.targets import SIDES as SIDES
+from robolayout.floor.targets import Contents as Contents
+from robolayout.floor.targets import Targets as Targets
+from robolayout.floor.targets import targets_of as targets_of
+from robolayout.floor.walked import Blocks as Blocks
+from robolayout.floor.walked import Walked as Walked

@@ -15,13 +15,7 @@ Cells = NDArray[np.intp]
 
 
 def cell_size(room: Room, finest: float, most: int) -> float:
-    """Return the metres per cell of a room's grid.
-
-    Args:
-        room: The room, whose bounds the cells fill.
-        finest: Metres per cell at least.
-        most: Cells at most; larger rooms get coarser ones.
-    """
+    """Return the metres per cell of a room's grid: `finest`, in larger rooms such that there are no more than `most` cells."""
     x0, y0, x1, y1 = room.bounds
     return max(finest, math.sqrt((x1 - x0) * (y1 - y0) / most))
 

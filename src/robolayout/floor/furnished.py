@@ -10,7 +10,7 @@ import numpy as np
 import shapely
 from numpy.typing import NDArray
 
-from robolayout._grid import distance
+from robolayout._grid import distance, window_count
 from robolayout.floor.cells import Cells, Mask, cells_of
 from robolayout.floor.config import FLOOR
 from robolayout.scene import Room
@@ -145,14 +145,7 @@ class Floor:
         cells, on_grid = self.flat(points)
         mask = np.zeros_like(self.inside)
         mask.ravel()[cells[on_grid & self.inside.ravel()[cells]]] = True
-        for _ in range(max(1, round(0.075 / self.cell))):
-            wide = mask.copy()
-            wide[1:] |= mask[:-1]
-            wide[:-1] |= mask[1:]
-            mask = wide.copy()
-            mask[:, 1:] |= wide[:, :-1]
-            mask[:, :-1] |= wide[:, 1:]
-        self.wanted[mask] += weight
+        self.wanted[window_count(mask, 2 * max(1, round(0.075 / self.cell)) + 1) > 0] += weight
         self._maps = None
 
     def cells(self, polygon: Points) -> Mask:
@@ -195,14 +188,11 @@ class Floor:
     def maps(self) -> Maps:
         """Return the state of the floor as flat maps with a rim of one cell that is outside."""
         if self._maps is None:
-            self._maps = self._drawn()
+            taken = np.pad(~self.inside | (self.body > 0), 1, constant_values=True)
+            barred = taken | np.pad(self.landing, 1)
+            wanted = np.minimum(np.pad(self.wanted, 1), 2.0)
+            self._maps = Maps(*(grid.ravel().astype(np.float32) for grid in (taken, barred, wanted)))
         return self._maps
-
-    def _drawn(self) -> Maps:
-        taken = np.pad(~self.inside | (self.body > 0), 1, constant_values=True)
-        barred = taken | np.pad(self.landing, 1)
-        wanted = np.minimum(np.pad(self.wanted, 1), 2.0)
-        return Maps(*(grid.ravel().astype(np.float32) for grid in (taken, barred, wanted)))
 
 
 def _middle(inside: Mask, cell: float, origin: tuple[float, float]) -> tuple[float, float]:

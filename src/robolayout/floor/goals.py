@@ -12,22 +12,18 @@ import numpy as np
 import shapely
 from numpy.typing import NDArray
 
+from robolayout._geometry import Body, corners
 from robolayout._grid import components
 from robolayout.floor.cells import Cells, Floats, Mask
 from robolayout.floor.config import FLOOR
-from robolayout.floor.ground import Ground, Obstacles, Patch, box_distance, clearance, patches
+from robolayout.floor.ground import Ground, Patch, box_distance, clearance, patches
 from robolayout.floor.targets import Targets
 
 
-def missed(ground: Ground, world: Floats, obstacles: Obstacles, passable: Mask, home: Mask) -> Cells:
+def missed(ground: Ground, world: Floats, passable: Mask, home: Mask) -> Cells:
     """Return the targets, by their rows, that are within reach neither from `home` nor from where a chair was moved away.
 
-    Args:
-        ground: The empty room on a grid.
-        world: (n, 4) poses.
-        obstacles: What stands in the body's way.
-        passable: (nx, ny) where its centre can be.
-        home: (nx, ny) where it gets to; nothing is opened where that is nowhere.
+    `passable` is where (nx, ny) the body's centre can be, `home` where it gets to; nothing is opened where that is nowhere.
     """
     rows = np.arange(len(ground.targets.slots))
     if not home.any():
@@ -40,20 +36,18 @@ def missed(ground: Ground, world: Floats, obstacles: Obstacles, passable: Mask, 
     kept = [rows[~at.any(axis=1)]]
     for some in np.unique(at[at.any(axis=1)], axis=0):
         there, chairs = rows[(at == some).all(axis=1)], ground.targets.chairs[some]
-        opened = _opened(ground, world, obstacles, chairs, (passable, home))
+        opened = _opened(ground, world, chairs, (passable, home))
         kept.append(there if opened is None else _still(ground, world, opened, there))
     return np.sort(np.concatenate(kept))
 
 
-def _opened(
-    ground: Ground, world: Floats, obstacles: Obstacles, chairs: Cells, spaces: tuple[Mask, Mask]
-) -> Mask | None:
+def _opened(ground: Ground, world: Floats, chairs: Cells, spaces: tuple[Mask, Mask]) -> Mask | None:
     """Return where the body gets to once some chairs are moved away; None where that is nowhere new."""
     passable, home = spaces
     part, here = ground.around(world[chairs, :2], np.hypot(*ground.targets.half[chairs].T))
     if not home[here].any():
         return None
-    free = part.passable(clearance(part, world, obstacles.without(chairs)))
+    free = part.passable(clearance(part, world, ground.obstacles.without(chairs)))
     if not (free & ~passable[here]).any():
         return None
     passable = passable.copy()
@@ -96,12 +90,8 @@ def _chairs_at(targets: Targets, world: Floats, rows: Cells) -> Mask:
 
 def _feet(targets: Targets, world: Floats, slots: Cells) -> NDArray[np.object_]:
     """Return the outlines of some slots in plan."""
-    (x, y, c, s), (ahead, left) = world[slots].T, targets.half[slots].T
-    corners = [
-        np.stack([x + c * a * ahead - s * b * left, y + s * a * ahead + c * b * left], axis=1)
-        for a, b in ((1, -1), (1, 1), (-1, 1), (-1, -1))
-    ]
-    return np.asarray(shapely.polygons(np.stack(corners, axis=1)), dtype=object)
+    boxes = Body(*world[slots].T, *targets.half[slots].T, np.zeros(len(slots)))
+    return np.asarray(shapely.polygons(np.stack(corners(boxes), axis=-1)), dtype=object)
 
 
 def cheapest(ground: Ground, world: Floats, rows: Cells, cost: Floats) -> list[tuple[int, int]]:

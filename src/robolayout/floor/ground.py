@@ -11,6 +11,7 @@ import shapely
 from numpy.typing import NDArray
 from shapely import Polygon
 
+from robolayout._geometry import compose
 from robolayout.assets.obstacles import pieces
 from robolayout.floor.cells import Cells, Floats, Mask, cells_of, entries, turning_radius
 from robolayout.floor.config import FLOOR
@@ -18,9 +19,27 @@ from robolayout.floor.targets import Contents, Targets, targets_of
 from robolayout.scene import Agent
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
+class Obstacles:
+    """Rectangles that belong to things and go with these."""
+
+    slot: NDArray[np.intp]  # (m,) slot that each rectangle belongs to
+    offset: Floats  # (m, 4) pose (x, y, cos, sin) of the rectangle in the frame of its slot, metres
+    half: Floats  # (m, 2) half its depth and half its width in metres
+
+    def poses(self, world: Floats) -> Floats:
+        """Return (m, 4) poses x, y, cos, sin of the rectangles."""
+        return compose(world[self.slot], self.offset)
+
+    def without(self, slots: Cells) -> Obstacles:
+        """Return what is left when some slots are not there."""
+        kept = ~np.isin(self.slot, slots)
+        return Obstacles(self.slot[kept], self.offset[kept], self.half[kept])
+
+
+@dataclass(frozen=True, eq=False)
 class Ground:
-    """The empty room on a grid, for one agent."""
+    """The empty room on a grid, for one agent, and what will stand in its way there."""
 
     xs: Floats  # (nx,) cell centres in metres
     ys: Floats  # (ny,) cell centres in metres
@@ -29,6 +48,8 @@ class Ground:
     agent: Agent  # the body
     cell: float  # metres per cell
     targets: Targets  # what it must get to
+    obstacles: Obstacles  # boxes, or the parts of them that it cannot pass
+    shelter: Obstacles  # boxes that it may come under or into
 
     @property
     def start(self) -> tuple[int, int] | None:
@@ -67,44 +88,15 @@ def make_ground(contents: Contents, agent: Agent, cell: float) -> Ground:
     doors = entries(contents.scene.room, xs, ys, free)
     if free.any() and not len(doors):  # a room without a door is entered where there is most room
         doors = np.argwhere(distance == distance.max())[:1]
-    return Ground(xs, ys, distance, doors, agent, cell, targets_of(contents, agent))
-
-
-@dataclass(frozen=True, eq=False)
-class Obstacles:
-    """What stands in one agent's way: boxes, or the parts of them that it cannot pass."""
-
-    slot: NDArray[np.intp]  # (m,) slot that each rectangle belongs to
-    offset: Floats  # (m, 2) metres from the slot's middle to the rectangle's, ahead and to the left
-    half: Floats  # (m, 2) half its depth and half its width in metres
-    shelter: tuple[int, ...]  # slots that the agent may come under or into
-
-    def poses(self, world: Floats) -> Floats:
-        """Return (m, 4) poses x, y, cos, sin of the rectangles."""
-        pose = world[self.slot].astype(float)
-        x, y, c, s = pose.T
-        ahead, left = self.offset.T
-        return np.stack([x + c * ahead - s * left, y + s * ahead + c * left, c, s], axis=1)
-
-    def without(self, slots: Cells) -> Obstacles:
-        """Return what is left when some slots are not there."""
-        kept = ~np.isin(self.slot, slots)
-        return Obstacles(self.slot[kept], self.offset[kept], self.half[kept], self.shelter)
-
-
-def boxes_of(half: Floats, slots: tuple[int, ...]) -> Obstacles:
-    """Return the whole boxes of some slots, given half the sizes (n, 2) of all."""
-    index = np.array(slots, dtype=np.intp)
-    return Obstacles(index, np.zeros((len(slots), 2)), half[index].reshape(-1, 2), ())
-
-
-def obstacles_of(contents: Contents, agent: Agent) -> Obstacles:
-    """Return what stands in this agent's way."""
     heights = contents.heights.tolist()
     found = [pieces(asset, z, agent) for asset, z in zip(contents.scene.assets, heights, strict=True)]
     rows = np.concatenate([np.empty((0, 4)), *(rectangles for rectangles, _ in found)])
     slot = np.repeat(np.arange(len(found)), [len(rectangles) for rectangles, _ in found])
-    return Obstacles(slot, rows[:, :2], rows[:, 2:], tuple(i for i, (_, passable) in enumerate(found) if passable))
+    square = np.tile([1.0, 0.0], (len(rows), 1))
+    obstacles = Obstacles(slot, np.concatenate([rows[:, :2], square], axis=1), rows[:, 2:])
+    under = np.flatnonzero([passable for _, passable in found])
+    shelter = Obstacles(under, np.tile([0.0, 0.0, 1.0, 0.0], (len(under), 1)), contents.half[under])
+    return Ground(xs, ys, distance, doors, agent, cell, targets_of(contents, agent), obstacles, shelter)
 
 
 def clearance(ground: Ground, world: Floats, obstacles: Obstacles) -> Floats:

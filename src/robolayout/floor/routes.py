@@ -16,7 +16,7 @@ from robolayout._grid import components
 from robolayout.floor.cells import Cells, Floats, turning_radius
 from robolayout.floor.config import FLOOR
 from robolayout.floor.goals import cheapest, missed
-from robolayout.floor.ground import Ground, Obstacles, box_distance, boxes_of, clearance
+from robolayout.floor.ground import Ground, box_distance, clearance
 
 
 @dataclass(frozen=True)
@@ -27,29 +27,25 @@ class Plan:
     blocked: int  # how many goals cannot be reached without pushing
 
 
-def plan_routes(ground: Ground, world: Floats, obstacles: Obstacles, *, everywhere: bool = False) -> Plan:
+def plan_routes(ground: Ground, world: Floats, *, everywhere: bool = False) -> Plan:
     """Return what must yield so that the agent gets from the door to everything and into every pocket of free space.
 
-    Args:
-        ground: The empty room on a grid.
-        world: (n, 4) poses.
-        obstacles: What stands in the agent's way.
-        everywhere: Whether routes that are free ask to stay so.
+    With `everywhere`, routes that are free ask to stay so.
     """
     if ground.start is None:
         return Plan(np.empty((0, 4)), 0)
-    boxes, field = ground.targets.half, clearance(ground, world, obstacles)
+    field = clearance(ground, world, ground.obstacles)
     passable = ground.passable(field)
     regions, _ = components(passable)
     here = int(regions[ground.start])
     home = (regions == here) & (here > 0)
-    rows = missed(ground, world, obstacles, passable, np.zeros_like(home) if everywhere else home)
-    sheltered = clearance(ground, world, boxes_of(boxes, obstacles.shelter)) < 0.0
+    rows = missed(ground, world, passable, np.zeros_like(home) if everywhere else home)
+    sheltered = clearance(ground, world, ground.shelter) < 0.0
     pockets = _pockets(ground, np.where(sheltered, 0, regions), here, field)
     pockets += [(i, j) for i, j in ground.doors[1:].tolist() if not home[i, j]]
     goals, points = _walks(ground, world, field, rows, pockets)
-    demands = _demands(ground, world, obstacles, boxes, points)
-    turning = _turning(ground, world, obstacles, boxes, np.where(home, field, -np.inf))
+    demands = _demands(ground, world, points)
+    turning = _turning(ground, world, np.where(home, field, -np.inf))
     return Plan(np.concatenate([turning, demands]), goals + bool(len(turning)))
 
 
@@ -89,7 +85,7 @@ def _pockets(ground: Ground, regions: NDArray[np.intp], here: int, field: Floats
     return pockets
 
 
-def _turning(ground: Ground, world: Floats, obstacles: Obstacles, boxes: Floats, field: Floats) -> Floats:
+def _turning(ground: Ground, world: Floats, field: Floats) -> Floats:
     """Return what must yield so that a body with a turning circle can turn at the roomiest place it gets to."""
     need = turning_radius(ground.agent)
     room = np.minimum(field, np.where(ground.wall_distance >= need + FLOOR.route_margin, np.inf, -np.inf))
@@ -97,14 +93,15 @@ def _turning(ground: Ground, world: Floats, obstacles: Obstacles, boxes: Floats,
         return np.empty((0, 4))
     best = np.unravel_index(int(np.argmax(room)), room.shape)
     px, py = ground.xs[best[0]], ground.ys[best[1]]
-    distance = box_distance(px, py, obstacles.poses(world).T, obstacles.half.T)
+    distance = box_distance(px, py, ground.obstacles.poses(world).T, ground.obstacles.half.T)
     near = np.flatnonzero(distance < need + FLOOR.nearby)
     points = np.full((len(near), 2), (px, py))
-    return _rows(points, near, need + FLOOR.route_margin, world, obstacles, boxes)
+    return _rows(ground, world, points, near, need + FLOOR.route_margin)
 
 
-def _demands(ground: Ground, world: Floats, obstacles: Obstacles, boxes: Floats, cells: Cells) -> Floats:
+def _demands(ground: Ground, world: Floats, cells: Cells) -> Floats:
     """Return (x, y, slot, metres) for every point and everything near it."""
+    obstacles = ground.obstacles
     if not len(cells) or not len(obstacles.slot):
         return np.empty((0, 4))
     stride = max(1, round(FLOOR.route_spacing / ground.cell))
@@ -118,20 +115,19 @@ def _demands(ground: Ground, world: Floats, obstacles: Obstacles, boxes: Floats,
     point, near = np.nonzero(about)
     distance = box_distance(points[point, 0], points[point, 1], poses[near].T, obstacles.half[near].T)
     close = distance < need + FLOOR.nearby
-    return _rows(points[point[close]], near[close], need, world, obstacles, boxes)
+    return _rows(ground, world, points[point[close]], near[close], need)
 
 
-def _rows(
-    points: Floats, near: NDArray[np.intp], need: float, world: Floats, obstacles: Obstacles, boxes: Floats
-) -> Floats:
+def _rows(ground: Ground, world: Floats, points: Floats, near: Cells, need: float) -> Floats:
     """Return rows (x, y, slot, metres) which keep the rectangles `near` so far from points.
 
     The search knows only whole boxes, so the point is moved within the slot's frame to where it is as far from the box as it
     is from the rectangle, in the same direction. A rectangle that is its whole box leaves the point where it is.
     """
-    slot = obstacles.slot[near]
+    things = ground.obstacles
+    slot = things.slot[near]
     x, y, c, s = world[slot].astype(float).T
     dx, dy = points[:, 0] - x, points[:, 1] - y
-    apart = np.stack([c * dx + s * dy, c * dy - s * dx], axis=1) - obstacles.offset[near]
-    u, v = (np.copysign(np.abs(apart) - obstacles.half[near] + boxes[slot], apart)).T
+    apart = np.stack([c * dx + s * dy, c * dy - s * dx], axis=1) - things.offset[near, :2]
+    u, v = (np.copysign(np.abs(apart) - things.half[near] + ground.targets.half[slot], apart)).T
     return np.stack([x + c * u - s * v, y + s * u + c * v, slot.astype(float), np.full(len(slot), need)], axis=1)

@@ -143,16 +143,7 @@ def _fits(cell: float, taken: Mask, agent: Agent, heading: tuple[float, float]) 
 def use_cells(
     floor: Floor, asset: Asset, agent: Agent, place: tuple[float, float, float], bottom: float, *, carried: bool
 ) -> Cells | None:
-    """Return the cells from which an agent uses a thing; None if that is not asked of it or out of its height.
-
-    Args:
-        floor: The floor.
-        asset: The thing.
-        agent: The body.
-        place: Its middle in metres and its yaw.
-        bottom: Metres above the floor at which it begins.
-        carried: Whether it stands on something.
-    """
+    """Return the cells from which an agent uses a thing at a place (x, y, yaw); None as `use_of` has it."""
     use = use_of(asset, bottom, agent, carried=carried)
     if use is None or (agent.reach_distance is None and not asset.on_floor):
         return None

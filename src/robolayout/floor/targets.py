@@ -48,13 +48,8 @@ class Targets:
 def use_of(asset: Asset, bottom: float, agent: Agent, *, carried: bool) -> tuple[float, tuple[str, ...]] | None:
     """Return how near in plan a body's centre must come to use a thing, and beyond which sides of it.
 
-    No sides where it is used from all around; None where no use is asked of it, or it is out of the body's height.
-
-    Args:
-        asset: The thing.
-        bottom: Metres above the floor at which it begins.
-        agent: The body.
-        carried: Whether it stands on something.
+    No sides where it is used from all around; None where no use is asked of it, or it is out of the body's height. Its
+    bottom is `bottom` metres above the floor.
     """
     kind = category_of(asset)
     asked = kind.use_sides if asset.use_sides is None else asset.use_sides

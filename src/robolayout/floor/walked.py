@@ -19,12 +19,7 @@ Blocks = NDArray[np.intp]
 
 
 class Walked:
-    """The floor on which the centre of a disc can be, as far as it gets there from the first door.
-
-    Args:
-        room: The room, empty.
-        radius: Of the disc, metres.
-    """
+    """The floor on which the centre of a disc can be, as far as it gets there from the first door."""
 
     def __init__(self, room: Room, radius: float) -> None:
         xs, ys, self._cell = cells_of(room, FLOOR.walked_cell, FLOOR.walked_cells)

@@ -1,40 +1,27 @@
 """Scene and program to poses: compile, search, routes in the loop, repair."""
 
-from robolayout.solve.compile import Problem, compile_problem
-from robolayout.solve.config import EFFORTS, Effort, SearchConfig, SolverConfig, Weights
-from robolayout.solve.dress import DressConfig, Dressed, dress
-from robolayout.solve.judge import Enough, Judge, Verdict, never
-from robolayout.solve.profiles import PAPER, UNREFINED, solve_with, solver_names
-from robolayout.solve.proposals import Proposals, carry
-from robolayout.solve.refine import Solver
-from robolayout.solve.runner import warm_up
-from robolayout.solve.samples import solve_samples
-from robolayout.solve.solution import Solution, silent
-
-__all__ = [
-    "EFFORTS",
-    "PAPER",
-    "UNREFINED",
-    "DressConfig",
-    "Dressed",
-    "Effort",
-    "Enough",
-    "Judge",
-    "Problem",
-    "Proposals",
-    "SearchConfig",
-    "Solution",
-    "Solver",
-    "SolverConfig",
-    "Verdict",
-    "Weights",
-    "carry",
-    "compile_problem",
-    "dress",
-    "never",
-    "silent",
-    "solve_samples",
-    "solve_with",
-    "solver_names",
-    "warm_up",
-]
+from robolayout.solve.compile import Problem as Problem
+from robolayout.solve.compile import compile_problem as compile_problem
+from robolayout.solve.config import EFFORTS as EFFORTS
+from robolayout.solve.config import Effort as Effort
+from robolayout.solve.config import SearchConfig as SearchConfig
+from robolayout.solve.config import SolverConfig as SolverConfig
+from robolayout.solve.config import Weights as Weights
+from robolayout.solve.dress import DressConfig as DressConfig
+from robolayout.solve.dress import Dressed as Dressed
+from robolayout.solve.dress import dress as dress
+from robolayout.solve.judge import Enough as Enough
+from robolayout.solve.judge import Judge as Judge
+from robolayout.solve.judge import Verdict as Verdict
+from robolayout.solve.judge import never as never
+from robolayout.solve.profiles import PAPER as PAPER
+from robolayout.solve.profiles import UNREFINED as UNREFINED
+from robolayout.solve.profiles import solve_with as solve_with
+from robolayout.solve.profiles import solver_names as solver_names
+from robolayout.solve.proposals import Proposals as Proposals
+from robolayout.solve.proposals import carry as carry
+from robolayout.solve.refine import Solver as Solver
+from robolayout.solve.runner import warm_up as warm_up
+from robolayout.solve.samples import solve_samples as solve_samples
+from robolayout.solve.solution import Solution as Solution
+from robolayout.solve.solution import silent as silent

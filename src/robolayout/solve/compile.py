@@ -89,21 +89,20 @@ class Problem:
         return Contents(self.scene, self.parent, self.heights, self.half)
 
     @cached_property
-    def statement_terms(self) -> tuple[tuple[Term, ...], ...]:
-        """Rows of each statement, and at less weight of each wish that keeps things together."""
-        wished = (one.terms(self.scene, self.guess) for one in self.wishes)
-        weighed = ([row for row in rows if isinstance(row, FrameTerm | MirrorTerm)] for rows in wished)
-        weak = (tuple(replace(row, weight=WISHED * row.weight) for row in rows) for rows in weighed)
-        return (*(one.terms(self.scene, self.guess) for one in self.relations), *weak)
+    def statement_terms(self) -> tuple[Term, ...]:
+        """Rows of all statements, and at less weight of the wishes that keep things together."""
+        said = (row for one in self.relations for row in one.terms(self.scene, self.guess))
+        wished = (row for one in self.wishes for row in one.terms(self.scene, self.guess))
+        weighed = (row for row in wished if isinstance(row, FrameTerm | MirrorTerm))
+        return (*said, *(replace(row, weight=WISHED * row.weight) for row in weighed))
 
     @cached_property
     def pairs(self) -> tuple[tuple[int, int, FrameTerm], ...]:
         """Rows of statements about two things, after the slots of these."""
-        rows = (row for rows in self.statement_terms for row in rows if isinstance(row, FrameTerm))
         return tuple(
             (self.slot[row.a.name], self.slot[row.b.name], row)
-            for row in rows
-            if isinstance(row.a, AssetRef) and isinstance(row.b, AssetRef)
+            for row in self.statement_terms
+            if isinstance(row, FrameTerm) and isinstance(row.a, AssetRef) and isinstance(row.b, AssetRef)
         )
 
     @cached_property
@@ -114,8 +113,8 @@ class Problem:
     @cached_property
     def wall_terms(self) -> tuple[FrameTerm, ...]:
         """Rows that hold wall things, which no statement puts on a wall, at the wall nearest to their guess."""
-        rows = (term for terms in self.statement_terms for term in terms)
-        held = {term.a for term in rows if isinstance(term, FrameTerm) and isinstance(term.b, WallRef)}
+        rows = (row for row in self.statement_terms if isinstance(row, FrameTerm))
+        held = {row.a for row in rows if isinstance(row.b, WallRef)}
         walls = self.scene.room.walls
         found: list[FrameTerm] = []
         for asset in self.scene.assets:

@@ -279,7 +279,8 @@ class _Dresser:
     def _places(self, place: _Place, rule: Mapping[str, Any]) -> None:
         """Put a set before every seat that faces the surface: first the plates of all, then what lies beside them."""
         seats = [seat for seat in self._seats(place) if place.rng.random() <= 0.5 + 0.5 * self.amount]
-        for kind, ahead, aside, turn in read_data("dressing.toml")["sets"][rule["set"]]:
+        parts = read_data("dressing.toml")["sets"][rule["set"]]
+        for kind, ahead, aside, turn in parts:
             thing, served = Asset("", kind, CATALOGUE[kind].size), list[tuple[tuple[float, float], float]]()
             for edge, facing in seats:
                 c, s = math.cos(facing), math.sin(facing)
@@ -288,7 +289,7 @@ class _Dresser:
                 at = (x, y, facing + math.pi + math.radians(turn))
                 if self._put(place, thing, at, self._variable(kind)) or self._lies(place, kind, (x, y)):
                     served.append((edge, facing))
-            if kind == read_data("dressing.toml")["sets"][rule["set"]][0][0]:
+            if kind == parts[0][0]:
                 seats = served  # where something else lies already, nothing is set
 
     def _lies(self, place: _Place, kind: str, at: tuple[float, float]) -> bool:

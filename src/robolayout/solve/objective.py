@@ -19,7 +19,7 @@ from robolayout._geometry import (
 )
 from robolayout.solve.arrays import Arrays, Losses, Near, Routes
 from robolayout.solve.config import Weights
-from robolayout.solve.terms import boundary_depths, hard, saturated, within
+from robolayout.solve.terms import boundary_depths, hard, hard_part, saturated, within
 
 Poses = Float[Array, "starts slots 4"]
 
@@ -159,10 +159,4 @@ def _nothing(body: Body) -> Array:
 
 def total(parts: Losses, weights: Weights, routes: Array | float = 1.0) -> Array:
     """Return the weighted sum per start, the term of the routes scaled by `routes`."""
-    hard_sum = (
-        weights.overlap * parts.overlap
-        + weights.inside * parts.boundary
-        + weights.clear * parts.clear
-        + weights.routes * routes * parts.reachability
-    )
-    return parts.statements + hard_sum
+    return parts.statements + hard_part(parts, weights, routes)

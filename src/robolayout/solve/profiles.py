@@ -9,7 +9,7 @@ from robolayout.scene import Layout, Trace
 from robolayout.solve.compile import Problem
 from robolayout.solve.config import SolverConfig
 from robolayout.solve.judge import Judge
-from robolayout.solve.solution import Progress, Solution, conclude
+from robolayout.solve.solution import Progress, Solution, conclude, silent
 
 DEFAULT = "default"
 """The solver that is meant when nobody names one."""
@@ -56,16 +56,17 @@ def solve_with(
     if not problem.names:
         nothing = Layout({})
         return conclude(nothing, judge(nothing), Trace())
+    say = progress or silent
     if name == DEFAULT:
         from robolayout.solve.refine import Solver
 
-        return Solver(problem, judge, config, seed=seed, progress=progress).solve()
+        return Solver(problem, judge, config or SolverConfig(), seed=seed, progress=say).solve()
     if name in (ANNEALING, TRUST):
         from robolayout.solve.paper.scipy_solvers import ScipySolver
 
-        scipy = ScipySolver(problem, judge, seed=seed, progress=progress)
+        scipy = ScipySolver(problem, judge, seed=seed, progress=say)
         return scipy.dual_annealing() if name == ANNEALING else scipy.trust_constr()
     from robolayout.solve.paper import solver as paper
 
     constants = replace(paper.PAPER, refine_steps=0) if name == UNREFINED else paper.PAPER
-    return paper.PaperSolver(problem, judge, seed=seed, config=constants, progress=progress).solve()
+    return paper.PaperSolver(problem, judge, seed=seed, config=constants, progress=say).solve()

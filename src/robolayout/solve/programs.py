@@ -80,7 +80,7 @@ class Programs:
         key = _key(target, arguments, constants)
         with self._lock:
             if key not in self._futures:
-                self._futures[key] = self._workers.submit(_make, target, arguments, constants, entry_parts=key)
+                self._futures[key] = self._workers.submit(_make, target, arguments, constants)
             return self._futures[key]
 
     def compile_missing(
@@ -119,29 +119,14 @@ def leaves(value: Any) -> list[Leaf]:
     return [np.asarray(value)]
 
 
-def rebuilt(template: Any, values: Sequence[Any]) -> Any:
-    """Return nested (named) tuples like `template` with other leaves."""
-    remaining = iter(values)
-
-    def build(like: Any) -> Any:
-        if not isinstance(like, tuple):
-            return next(remaining)
-        parts = [build(item) for item in like]
-        return type(like)(*parts) if hasattr(like, "_fields") else tuple(parts)
-
-    return build(template)
-
-
-def _make(
-    target: str, arguments: tuple[Any, ...], constants: Mapping[str, Hashable], entry_parts: tuple[Hashable, ...]
-) -> Run:
+def _make(target: str, arguments: tuple[Any, ...], constants: Mapping[str, Hashable]) -> Run:
     """Return a program from the cache, or compile it."""
     if not _native_runtime():
         _configure_jax()
         return _runner(_compiled(target, arguments, constants))
     from robolayout.solve import _native
 
-    key = entry_key(*entry_parts, OPTIONS)
+    key = entry_key(*_key(target, arguments, constants), OPTIONS)
     entry = read_entry(key)
     if entry is not None:
         with suppress(*_native.UNUSABLE):  # then it is compiled anew and written over
@@ -178,8 +163,10 @@ def _compiled(target: str, arguments: tuple[Any, ...], constants: Mapping[str, H
     module, _, name = target.partition(":")
     function = getattr(import_module(f"robolayout.solve.{module}"), name)
 
+    structure = jax.tree.structure(arguments)
+
     def flat(*values: Any) -> list[Any]:
-        return jax.tree.leaves(function(*rebuilt(arguments, values), **constants))
+        return jax.tree.leaves(function(*jax.tree.unflatten(structure, values), **constants))
 
     specs = [jax.ShapeDtypeStruct(leaf.shape, leaf.dtype) for leaf in leaves(arguments)]
     options = OPTIONS if jax.default_backend() == "cpu" else {}

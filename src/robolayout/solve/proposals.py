@@ -55,14 +55,13 @@ class Proposals:
         """Return the proposals of a problem."""
         frames: dict[int, list[FrameTerm]] = {}
         mirrors: dict[int, list[MirrorTerm]] = {}
-        for terms in problem.statement_terms:
-            for term in terms:
-                if isinstance(term, FrameTerm) and isinstance(term.a, AssetRef) and term.moves != "b":
-                    frames.setdefault(problem.slot[term.a.name], []).append(term)
-                elif isinstance(term, MirrorTerm):
-                    for ref in (term.a, term.b):
-                        if isinstance(ref, AssetRef):
-                            mirrors.setdefault(problem.slot[ref.name], []).append(term)
+        for term in problem.statement_terms:
+            if isinstance(term, FrameTerm) and isinstance(term.a, AssetRef) and term.moves != "b":
+                frames.setdefault(problem.slot[term.a.name], []).append(term)
+            elif isinstance(term, MirrorTerm):
+                for ref in (term.a, term.b):
+                    if isinstance(ref, AssetRef):
+                        mirrors.setdefault(problem.slot[ref.name], []).append(term)
         return cls(problem, frames, mirrors)
 
     def rows(self, slot: int) -> list[FrameTerm]:

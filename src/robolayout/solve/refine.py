@@ -9,14 +9,15 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable
-from dataclasses import dataclass, replace
+from dataclasses import KW_ONLY, dataclass, field, replace
 from functools import cached_property, partial
 
 import numpy as np
+import shapely
+from shapely import Polygon
 
-from robolayout.floor import Ground, Obstacles, Plan, make_ground, obstacles_of, plan_routes
-from robolayout.scene import Layout, Trace
-from robolayout.solve.arrays import Routes
+from robolayout.floor import Ground, Plan, make_ground, plan_routes
+from robolayout.scene import Layout
 from robolayout.solve.compile import Floats, Problem
 from robolayout.solve.config import SolverConfig
 from robolayout.solve.construct import Builder
@@ -24,11 +25,9 @@ from robolayout.solve.judge import Judge, Verdict
 from robolayout.solve.push import pushed
 from robolayout.solve.repair import MENDING, Repair
 from robolayout.solve.restore import restored, squared
-from robolayout.solve.routes import pack
 from robolayout.solve.runner import BATCH, STILL, Run, Runner
 from robolayout.solve.solution import Progress, Solution, conclude, silent
 from robolayout.solve.stage import Stage, make_stage, stages
-from robolayout.solve.starts import bring_in, near
 
 NEAR = 0.4
 """Metres that a polished thing may be put where its statements hold exactly."""
@@ -43,51 +42,35 @@ class _Best:
     phase: str = ""
 
 
+@dataclass(eq=False)
 class Solver:
-    """Solves one problem with one configuration and seed.
+    """Solves one problem with one configuration and seed."""
 
-    Args:
-        problem: The problem.
-        judge: The exact verifier, as an order on layouts.
-        config: Constants.
-        seed: Seed of all randomness.
-        progress: Called with the name of each phase.
-    """
+    problem: Problem
+    judge: Judge  # the exact verifier, as an order on layouts
+    config: SolverConfig = field(default_factory=SolverConfig)
+    _: KW_ONLY
+    seed: int = 0  # of all randomness
+    progress: Progress = silent  # called with the name of each phase
 
-    def __init__(
-        self,
-        problem: Problem,
-        judge: Judge,
-        config: SolverConfig | None = None,
-        *,
-        seed: int = 0,
-        progress: Progress | None = None,
-    ) -> None:
-        self.problem = problem
-        self.judge = judge
-        self.config = config or SolverConfig()
+    def __post_init__(self) -> None:
         self.effort, self.judgements, self.gained = self.config.effort, 0, 0
-        self.rng = np.random.default_rng(seed)
-        self.progress = progress or silent
+        self.rng = np.random.default_rng(self.seed)
         self.runner = Runner(self.config)
-        self.phase = "guess" if problem.guessed else "built"
+        self.phase = "guess" if self.problem.guessed else "built"
         self.blind = False
 
     def solve(self) -> Solution:
         """Return the best layout found."""
-        if not self.problem.names:
-            return conclude(Layout({}), Verdict(0.0, 0.0, 0.0), Trace())
-        world = self.problem.start.copy()
-        best: _Best | None = None
-        for number in range(len(self.stages)):
-            best = self._stage(number, world)
-            world, self.phase = best.world, best.phase
-        assert best is not None
+        best = self._stage(self.stages[0])
+        for stage in self.stages[1:]:
+            self.phase = best.phase
+            best = self._stage(stage.at(best.world))
+        self.phase = best.phase
         if best.verdict.broken:
             best = self._repair(best)
         best = self._restored(best)
-        trace = self.runner.trace(self.problem) if self.config.trace else Trace()
-        return conclude(self.problem.layout(best.world), best.verdict, trace, best.phase)
+        return conclude(self.problem.layout(best.world), best.verdict, self.runner.trace(self.problem), best.phase)
 
     @property
     def spent(self) -> bool:
@@ -115,10 +98,10 @@ class Solver:
         return Repair(self.stages, self.runner, self.config, self.builder)
 
     @cached_property
-    def grounds(self) -> list[tuple[Ground, Obstacles]]:
+    def grounds(self) -> list[Ground]:
         """The grids on which routes are planned, one for each agent, widest first."""
-        bodies, held = sorted(self.problem.scene.agents, key=lambda agent: -agent.radius), self.problem.contents
-        return [(make_ground(held, a, self.config.cell), obstacles_of(held, a)) for a in bodies]
+        bodies = sorted(self.problem.scene.agents, key=lambda agent: -agent.radius)
+        return [make_ground(self.problem.contents, agent, self.config.cell) for agent in bodies]
 
     def _judged(self, world: Floats, number: int, best: _Best | None = None) -> _Best:
         """Judge a layout of everything placed up to a stage, as far as it may be better than what is best so far."""
@@ -137,19 +120,18 @@ class Solver:
             self.gained = self.judgements
         return found
 
-    def _stage(self, number: int, world: Floats) -> _Best:
+    def _stage(self, stage: Stage) -> _Best:
         """Place what belongs to a stage."""
-        self.judgements, self.gained = 0, 0
-        stage = self.stages[number].at(world)
+        self.judgements, self.gained, number = 0, 0, stage.number
         best = self._judged(stage.world, number)
         if not stage.moving or best.verdict.ok:
             if stage.moving:
                 self._still(stage, best, self.phase)
             return best
-        best = self._pushed(stage, number, best)
+        best = self._pushed(stage, best)
         if number and not any(self._at(number, name) for name in best.verdict.culprits):
             return best
-        best, run = self._polished(stage, number, best)
+        best, run = self._polished(stage, best)
         off = self.problem.moved(best.world) / len(stage.moving) if self.problem.guessed else math.inf
         unmet = best.verdict.soft / max(len(self.problem.relations), 1)
         self.blind |= self._amiss(stage, best) > self.effort.lost[0] and off + unmet > self.effort.lost[1]
@@ -161,24 +143,24 @@ class Solver:
         self.blind |= best.verdict.soft > self.effort.blind * len(self.problem.relations)
         if not self.config.starts or not (self.blind or best.verdict.broken):
             return best
-        best = self._anew(stage, number, best)
+        best = self._anew(stage, best)
         return best if best.verdict.broken else self._near(number, best)
 
     def _amiss(self, stage: Stage, best: _Best) -> float:
         """Return the share of what a stage moves that is out of place or out of reach."""
         return best.verdict.broken / len(stage.moving)
 
-    def _pushed(self, stage: Stage, number: int, best: _Best) -> _Best:
+    def _pushed(self, stage: Stage, best: _Best) -> _Best:
         """Return the best of the guess and of what its own statements make of it."""
         self._say("push")
-        return self._best_of([pushed(self.builder.proposals, stage.world, self._order(stage))], number, best)
+        return self._best_of([pushed(self.builder.proposals, stage.world, self._order(stage))], stage.number, best)
 
     def _order(self, stage: Stage) -> list[int]:
         """Return what a stage moves, what others refer to first."""
         ranks = self.builder.proposals.ranks
         return sorted(stage.moving, key=lambda slot: ranks[slot])
 
-    def _polished(self, stage: Stage, number: int, best: _Best) -> tuple[_Best, Run]:
+    def _polished(self, stage: Stage, best: _Best) -> tuple[_Best, Run]:
         """Return the best after following gradients from the guess and from where it is pushed."""
         self._say("polish")
         proposals, order = self.builder.proposals, self._order(stage)
@@ -187,13 +169,12 @@ class Solver:
         starts = near(self.problem, stage.world, stage.moving, BATCH, self.rng)
         worlds = _different([push, walls, *starts])[:BATCH]
         run = self.runner.advance(stage, worlds, self.config.polish, "polish")
-        best = self._best_of(self._sharpened(run, order), number, best)
-        return best, run
+        return self._best_of(self._sharpened(run, order), stage.number, best), run
 
     def _opened(self, stage: Stage, run: Run, best: _Best) -> tuple[_Best, Run]:
         """Return the best after going on with ways kept open to everything."""
-        routes = partial(self._open, stage, run.world)
-        more = self.runner.advance(stage, run.world, self.config.polish, "routes", routes=routes)
+        plan = partial(self._open, run.world)
+        more = self.runner.advance(stage, run.world, self.config.polish, "routes", plan=plan)
         self._say("routes")
         return self._best_of(self._sharpened(more, self._order(stage)), 0, best), run.joined(more)
 
@@ -212,7 +193,7 @@ class Solver:
             if best.verdict.ok or not names or self.spent:
                 break
             before = best.verdict.worth[:3]
-            for world in self.repairer.near(best.world, self.problem.slot[names[0]], self._plan):
+            for world in self.repairer.near(best.world, self.problem.slot[names[0]], self._planned):
                 best = self._best_of([world], number, best)
                 if best.verdict.worth[:3] < before:
                     break
@@ -224,19 +205,19 @@ class Solver:
         """Return whether a stage may move a thing."""
         return self.problem.stage[self.problem.slot[name]] == number and name not in self.problem.pinned
 
-    def _anew(self, stage: Stage, number: int, best: _Best) -> _Best:
+    def _anew(self, stage: Stage, best: _Best) -> _Best:
         """Return the best of what is there and of rooms that are built and searched for."""
         self._say("build")
         self.gained = self.judgements
         count, run = self.config.starts // 4, None
-        if number == 0:
-            best = self._mended(best, number, self.effort.mendings)
+        if stage.number == 0:
+            best = self._mended(best, 0, self.effort.mendings)
             best, run = self._built(stage, count, best)
         if run is None:
             nearby = near(self.problem, stage.world, stage.moving, max(count, 1), self.rng)
             run = self.runner.advance(stage, nearby, self.config.polish, "polish")
-            best = self._best_of(run.ranked(), number, best)
-        if number == 0 and self.config.route_rounds and best.verdict.barred:
+            best = self._best_of(run.ranked(), stage.number, best)
+        if stage.number == 0 and self.config.route_rounds and best.verdict.barred:
             best = self._route(stage, run, best)
         return best
 
@@ -255,8 +236,7 @@ class Solver:
             if best.verdict.ok:
                 return best, self._still(stage, best, "built")
             worlds = np.array(made)
-            routes = partial(self._open, stage, worlds) if self.config.route_rounds else None
-            more = self.runner.advance(stage, worlds, self.config.polish, "polish", routes=routes)
+            more = self.runner.advance(stage, worlds, self.config.polish, "polish", plan=partial(self._open, worlds))
             best, run = self._best_of(more.ranked(), 0, best), run.joined(more).best(self.config.kept) if run else more
             best = self._mended(best, 0, self.effort.mendings)
         return best, run
@@ -266,20 +246,18 @@ class Solver:
         still = Run(best.world[None], np.zeros(1), np.zeros(1))
         return self.runner.advance(stage, still.world, STILL, label) if self.config.trace else still
 
-    def _open(self, stage: Stage, worlds: Floats, part: slice) -> Routes:
-        """Return what keeps ways to everything open in some layouts."""
-        plans = [self._planned(one, [], everywhere=True) for one in worlds[part]]
-        return pack(plans, 8 * stage.slots)
+    def _open(self, worlds: Floats, start: int) -> Plan:
+        """Return what keeps ways to everything open in one of some layouts."""
+        return self._planned(worlds[start], everywhere=True)
 
-    def _best_of(self, worlds: Iterable[Floats], number: int, best: _Best | None) -> _Best:
+    def _best_of(self, worlds: Iterable[Floats], number: int, best: _Best) -> _Best:
         """Return the best of some layouts and of what was best before, by the judge; nobody looks past a perfect one."""
         for world in worlds:
-            if best and best.verdict.ok:
+            if best.verdict.ok:
                 break
             found = self._judged(world, number, best)
-            if best is None or found.verdict.worth < best.verdict.worth:
+            if found.verdict.worth < best.verdict.worth:
                 best = found
-        assert best is not None
         return best
 
     def _route(self, stage: Stage, run: Run, best: _Best) -> _Best:
@@ -294,12 +272,12 @@ class Solver:
             self._say("routes")
             blocked: list[int] = []
 
-            def routes(part: slice, now: Floats = world, blocked: list[int] = blocked) -> Routes:
-                plans = [self._planned(one, before) for one, before in zip(now[part], kept[part], strict=True)]
-                blocked += [plan.blocked for plan in plans]
-                return pack(plans, 8 * stage.slots)
+            def plan(start: int, now: Floats = world, blocked: list[int] = blocked) -> Plan:
+                found = self._planned(now[start], kept[start])
+                blocked.append(found.blocked)
+                return found
 
-            run = self.runner.advance(stage, world, self.config.reroute, "routes", routes=routes)
+            run = self.runner.advance(stage, world, self.config.reroute, "routes", plan=plan)
             world = run.world
             if not any(blocked):
                 break
@@ -307,16 +285,13 @@ class Solver:
             fruitless = self.gained == before
         return best
 
-    def _plan(self, world: Floats) -> Plan:
-        return self._planned(world, [])
-
-    def _planned(self, world: Floats, kept: list[Floats], *, everywhere: bool = False) -> Plan:
-        """Plan for every agent; demands of the two rounds before stay, so that furniture does not swing back."""
+    def _planned(self, world: Floats, kept: list[Floats] | None = None, *, everywhere: bool = False) -> Plan:
+        """Plan for every agent; of what is `kept`, the demands of two rounds before stay: furniture shall not swing back."""
         if not self.config.route_rounds:
             return Plan(np.empty((0, 4)), 0)
-        plans = [plan_routes(ground, world, things, everywhere=everywhere) for ground, things in self.grounds]
-        demands = np.concatenate([plan.demands for plan in plans])
-        kept.append(demands)
+        plans = [plan_routes(ground, world, everywhere=everywhere) for ground in self.grounds]
+        kept = [] if kept is None else kept
+        kept.append(np.concatenate([plan.demands for plan in plans]))
         del kept[:-3]
         return Plan(np.concatenate(kept), sum(plan.blocked for plan in plans))
 
@@ -365,3 +340,29 @@ def _different(worlds: Iterable[Floats]) -> Floats:
     found = np.array(list(worlds))
     _, first = np.unique(found.reshape(len(found), -1), axis=0, return_index=True)
     return found[np.sort(first)]
+
+
+def near(problem: Problem, world: Floats, moving: tuple[int, ...], count: int, rng: np.random.Generator) -> Floats:
+    """Return poses (n, 4) and slight jitter of what moves in them: (count, n, 4)."""
+    scale = 0.1 if problem.parent[moving[0]] >= 0 else 1.0
+    starts = np.repeat(world[None], count, axis=0)
+    for k, start in enumerate(starts[1:], 1):
+        sigma = (0.05 + 0.3 * k / count) * scale
+        for slot in moving:
+            start[slot, :2] += rng.normal(0.0, sigma, 2)
+            if rng.random() < sigma / 2:
+                start[slot, 2:] = [-start[slot, 3], start[slot, 2]]
+    bring_in(problem, starts, moving)
+    return starts
+
+
+def bring_in(problem: Problem, starts: Floats, moving: tuple[int, ...]) -> None:
+    """Put things whose centre lies outside the room onto the nearest point of its floor."""
+    room = Polygon(problem.scene.room.vertices)
+    shapely.prepare(room)
+    for slot in moving:
+        if problem.parent[slot] < 0:
+            points = np.asarray(shapely.points(starts[:, slot, :2]))
+            outside = ~shapely.covers(room, points)
+            ways = shapely.shortest_line(points[outside], room)
+            starts[outside, slot, :2] = shapely.get_coordinates(ways)[1::2]

@@ -5,20 +5,17 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
-from functools import partial
 
 import numpy as np
 
 from robolayout._geometry import compose
 from robolayout.constraints import AssetRef, MirrorTerm, WallRef
 from robolayout.floor import Plan
-from robolayout.solve.arrays import Routes
 from robolayout.solve.compile import Floats, Problem
 from robolayout.solve.config import SolverConfig
 from robolayout.solve.construct import Builder
 from robolayout.solve.proposals import carry, placing
 from robolayout.solve.push import nearest
-from robolayout.solve.routes import pack
 from robolayout.solve.runner import BATCH, Runner
 from robolayout.solve.score import Score
 from robolayout.solve.stage import Stage
@@ -46,14 +43,7 @@ MENDING = Mending()
 
 
 class Repair:
-    """Makes better candidates of one problem's layouts.
-
-    Args:
-        stages: The stages of the problem.
-        runner: Runs the compiled search.
-        config: Constants.
-        builder: Builds the room anew.
-    """
+    """Makes better candidates of one problem's layouts."""
 
     def __init__(self, stages: Sequence[Stage], runner: Runner, config: SolverConfig, builder: Builder) -> None:
         self.stages, self.problem = stages, builder.problem
@@ -65,21 +55,15 @@ class Repair:
         self.groups = _groups(self.problem)
 
     def near(self, world: Floats, slot: int, plan_for: Callable[[Floats], Plan]) -> Iterator[Floats]:
-        """Yield layouts in which one thing is elsewhere, as near to its guess as can be, the others making way.
-
-        Args:
-            world: (n, 4) poses.
-            slot: The thing; what is placed in its stage makes way.
-            plan_for: Plans routes in a layout.
-        """
+        """Yield layouts in which one thing is elsewhere, as near to its guess as can be, the others of its stage making way."""
         stage, plan = self.stages[self.problem.stage[slot]].at(world), plan_for(world)
         score, group = Score(stage, self.config.weights), frozenset(self.groups[slot])
         found = [self._elsewhere(score, world, slot, plan, along) for along in dict.fromkeys((frozenset[int](), group))]
         tries, costs = (np.concatenate(parts) for parts in zip(*found, strict=True))
         yield from tries
         picked = tries[_unlike(tries[:, slot], costs, [], BATCH)]
-        routes = partial(self._open, picked, plan_for, 8 * stage.slots)
-        yield from self.runner.advance(stage, picked, self.config.polish, "mend", routes=routes).ranked()
+        run = self.runner.advance(stage, picked, self.config.polish, "mend", plan=lambda k: plan_for(picked[k]))
+        yield from run.ranked()
 
     def _elsewhere(
         self, score: Score, world: Floats, slot: int, plan: Plan, along: frozenset[int]
@@ -98,10 +82,6 @@ class Repair:
         for one, pose in zip(tries, poses[chosen], strict=True):
             carry(self.problem, one, slot, pose, along)
         return tries, cost[chosen]
-
-    def _open(self, worlds: Floats, plan_for: Callable[[Floats], Plan], size: int, part: slice) -> Routes:
-        """Return what keeps ways open in some layouts."""
-        return pack([plan_for(world) for world in worlds[part]], size)
 
     def _around(self, slot: int, world: Floats) -> Floats:
         """Return poses (m, 4) around the guess of a slot, if it has one, and where it is: where its rows hold, its walls, or free."""
@@ -181,7 +161,7 @@ def _groups(problem: Problem) -> list[set[int]]:
     followers: list[set[int]] = [set() for _ in problem.names]
     for a, b, _ in problem.pairs:
         followers[b].add(a)
-    for term in (term for terms in problem.statement_terms for term in terms):
+    for term in problem.statement_terms:
         if isinstance(term, MirrorTerm) and isinstance(term.ref, AssetRef):
             twins = {problem.slot[ref.name] for ref in (term.a, term.b) if isinstance(ref, AssetRef)}
             followers[problem.slot[term.ref.name]] |= twins

@@ -33,11 +33,8 @@ def restored(problem: Problem, world: Floats, no_worse: Callable[[Floats], bool]
     and what goes by them (a desk with its chair), so that a row that had to give way in one place stays a row elsewhere. Then
     single things go back, the farthest first: whole, else along one of their axes, else a part of the way.
 
-    Args:
-        problem: The problem.
-        world: (n, 4) poses.
-        no_worse: Whether other poses are no worse than those kept so far.
-        trials: Most layouts that are asked about while groups are put back; each thing alone takes seven more at most.
+    At most `trials` layouts are asked about while groups are put back, and seven for each thing alone. `no_worse` says of
+    poses whether they are no worse than those kept so far.
     """
     target = problem.start
     moved = np.abs(world - target).max(axis=1) > SAME
@@ -66,11 +63,6 @@ def squared(problem: Problem, world: Floats, no_worse: Callable[[Floats], bool])
 
     Where it has to look at something, it also slides sideways until it looks straight at it; where it would leave its rug, the
     rug comes along a little. What the program has askew stays so.
-
-    Args:
-        problem: The problem.
-        world: (n, 4) poses.
-        no_worse: Whether other poses are no worse than those kept so far.
     """
     walls = [math.atan2(*wall.direction[::-1]) for wall in problem.scene.room.walls]
     for slot, name in enumerate(problem.names):

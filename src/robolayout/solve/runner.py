@@ -5,11 +5,11 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
-from functools import partial
 from typing import Any, NamedTuple
 
 import numpy as np
 
+from robolayout.floor import Plan
 from robolayout.scene import Scene, Trace
 from robolayout.solve import programs
 from robolayout.solve.arrays import HISTORY, SNAPSHOTS, Found, Losses, Routes, Schedule
@@ -17,6 +17,7 @@ from robolayout.solve.compile import Floats, Problem
 from robolayout.solve.config import SearchConfig, SolverConfig
 from robolayout.solve.solution import snapshot
 from robolayout.solve.stage import Stage, no_routes, sizes_of
+from robolayout.solve.terms import hard_part
 
 STILL = SearchConfig(steps=0, rate=0.0, final_rate=0.0)
 """A phase without a step: only the objective is evaluated."""
@@ -29,12 +30,6 @@ PROCESSORS = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") el
 
 BATCH = 4
 """Starts that run at once; more run in several batches side by side, so that one compiled program serves them all."""
-
-Planned = Callable[[slice], Routes]
-"""Says what must not stand in the routes of some of the starts; asked where these run, beside the others."""
-
-Piece = tuple[Floats, Callable[[], Routes]]
-"""World poses of a few starts and what says what must not stand in their routes."""
 
 
 class Run(NamedTuple):
@@ -63,11 +58,7 @@ class Run(NamedTuple):
 
 
 class Runner:
-    """Calls the compiled search with a configuration and records what happened.
-
-    Args:
-        config: Constants.
-    """
+    """Calls the compiled search with a configuration and records what happened."""
 
     def __init__(self, config: SolverConfig) -> None:
         self.config = config
@@ -81,38 +72,29 @@ class Runner:
         phase: SearchConfig,
         label: str,
         *,
-        routes: Planned | None = None,
+        plan: Callable[[int], Plan] | None = None,
     ) -> Run:
-        """Run one phase from world poses (K, n, 4)."""
-        parts = [slice(begin, begin + BATCH) for begin in range(0, len(world), BATCH)]
-        free = no_routes(BATCH, 8 * stage.slots)
-        pieces = [(world[part], partial(routes, part) if routes else lambda: free) for part in parts]
-        results = self._results(stage, pieces, phase)
+        """Run one phase from world poses (K, n, 4), in batches side by side; `plan` says the routes of a start."""
+
+        def run(part: range) -> Found:
+            arguments = _arguments(stage, world[part], phase, [plan(k) for k in part] if plan else [])
+            local, after, *terms, history, shots = programs.call(PROGRAM, *arguments, weights=self.config.weights)
+            return Found(local, after, Losses(*terms), history, shots)
+
+        parts = [range(len(world))[begin : begin + BATCH] for begin in range(0, len(world), BATCH)]
+        with ThreadPoolExecutor(PROCESSORS) as pool:
+            results = list(pool.map(run, parts))
         runs = [self._run(stage, world[part], found) for part, found in zip(parts, results, strict=True)]
         if self.config.trace and label:
             self._record(stage, label, phase.steps, results[0])
         return Run(*map(np.concatenate, zip(*runs, strict=True)))
 
-    def _results(self, stage: Stage, pieces: Sequence[Piece], phase: SearchConfig) -> list[Found]:
-        """Run pieces of at most `BATCH` starts side by side, one on each processor."""
-
-        def run(piece: Piece) -> Found:
-            arguments = _arguments(stage, piece, phase)
-            local, world, *terms, history, shots = programs.call(PROGRAM, *arguments, weights=self.config.weights)
-            return Found(local, world, Losses(*terms), history, shots)
-
-        if len(pieces) == 1:
-            return [run(pieces[0])]
-        with ThreadPoolExecutor(min(len(pieces), PROCESSORS)) as pool:
-            return list(pool.map(run, pieces))
-
     def _run(self, stage: Stage, world: Floats, found: Found) -> Run:
-        count, weights = len(stage.problem.names), self.config.weights
+        count = len(stage.problem.names)
         result = self._settled(stage, world, np.asarray(found.world, np.float64)[: len(world), :count])
-        parts = np.stack([np.asarray(part)[: len(world)] for part in found.losses]).astype(np.float64)
-        overlap, boundary, clear, statements, routes = parts
-        hard = weights.overlap * overlap + weights.inside * boundary + weights.clear * clear + weights.routes * routes
-        return Run(result, hard + statements, hard)
+        parts = Losses(*(np.asarray(part, np.float64)[: len(world)] for part in found.losses))
+        hard = hard_part(parts, self.config.weights)
+        return Run(result, hard + parts.statements, hard)
 
     def _settled(self, stage: Stage, before: Floats, after: Floats) -> Floats:
         """Return poses with exact unit headings; what the stage does not move or carry stays bit for bit."""
@@ -143,25 +125,30 @@ class Runner:
         return Trace(tuple(self._losses), tuple(snapshot(*shot) for shot in shots))
 
 
-def _arguments(stage: Stage, piece: Piece, phase: SearchConfig) -> tuple[Any, ...]:
+def _arguments(stage: Stage, world: Floats, phase: SearchConfig, plans: Sequence[Plan] = ()) -> tuple[Any, ...]:
     """Return what the program takes for one batch, filled up by repeating the last start."""
-    world, planned = piece
-    routes, fill = planned(), np.minimum(np.arange(BATCH), len(world) - 1)
-    local, ways = stage.local(world[fill]).astype(np.float32), Routes(*(field[fill] for field in routes))
+    fill = np.minimum(np.arange(BATCH), len(world) - 1)
+    routes = _packed([plans[k] for k in fill] if plans else [], 8 * stage.slots)
     schedule = Schedule(np.int32(phase.steps), np.float32(phase.rate), np.float32(phase.final_rate))
-    return local, stage.arrays, ways, schedule
+    return stage.local(world[fill]).astype(np.float32), stage.arrays, routes, schedule
+
+
+def _packed(plans: Sequence[Plan], size: int) -> Routes:
+    """Return what each start of a batch demands as padded arrays of `size` rows, of more than that an even choice."""
+    packed = no_routes(BATCH, size)
+    for k, plan in enumerate(plans):
+        rows = plan.demands
+        if len(rows) > size:
+            rows = rows[np.linspace(0, len(rows) - 1, size).astype(int)]
+        packed.point[k, : len(rows)] = rows[:, :2]
+        packed.slot[k, : len(rows)] = rows[:, 2]
+        packed.need[k, : len(rows)] = rows[:, 3]
+    return packed
 
 
 def warm_up(scene: Scene, config: SolverConfig | None = None, *, missing_only: bool = False) -> None:
-    """Start to load or compile, in the background, the program that solving this scene will need.
-
-    Args:
-        scene: The scene.
-        config: Constants of the search.
-        missing_only: Whether only to compile what is not in the cache.
-    """
+    """Start to load or compile in the background what solving a scene will need; `missing_only` leaves the cache alone."""
     if scene.assets:
         stage, weights = sizes_of(scene), (config or SolverConfig()).weights
-        piece = (stage.world[None], lambda: no_routes(1, 8 * stage.slots))
-        arguments = _arguments(stage, piece, STILL)
+        arguments = _arguments(stage, stage.world[None], STILL)
         programs.prepare(PROGRAM, *arguments, missing_only=missing_only, weights=weights)

@@ -44,12 +44,7 @@ class _Rows(NamedTuple):
 
 
 class Score:
-    """The objective of the things of one stage.
-
-    Args:
-        stage: The stage.
-        weights: Factors of the terms.
-    """
+    """The objective of the things of one stage."""
 
     def __init__(self, stage: Stage, weights: Weights) -> None:
         arrays = Arrays(*(a.astype(np.float64) if a.dtype.kind == "f" else a for a in stage.arrays))
@@ -100,11 +95,7 @@ class Score:
         return total
 
     def routes(self, slot: int, poses: Floats, demands: Floats) -> Floats:
-        """Return what poses (m, 4) of a slot cost by the clearance that they take from routes.
-
-        Args:
-            demands: Rows (x, y, slot, metres): points and what that slot should keep from them.
-        """
+        """Return what poses (m, 4) of a slot cost by the clearance that they take from routes; see `Plan.demands`."""
         x, y, _, need = demands[demands[:, 2] == slot].T
         short = np.maximum(need - point_to_box(x, y, self._own(slot, poses)), 0.0)
         return self._weights.routes * hard(short, self._weights).sum(axis=1)

@@ -83,18 +83,7 @@ def _project(local: Array, arrays: Arrays) -> Array:
 
 
 def advance(local: Array, arrays: Arrays, routes: Routes, schedule: Schedule, *, weights: Weights) -> Found:
-    """Run the search.
-
-    Args:
-        local: (K, A, 4) variables to start from.
-        arrays: The problem.
-        routes: What must not stand in the way.
-        schedule: Steps and rates.
-        weights: Factors of the terms.
-
-    Returns:
-        The variables after the last step and the record of the run.
-    """
+    """Run the search from variables (K, A, 4)."""
     steps = schedule.steps
 
     def objective(value: Array, near: Near, fade: Array) -> tuple[Array, Losses]:

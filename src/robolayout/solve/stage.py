@@ -105,13 +105,7 @@ def stages(problem: Problem) -> range:
 
 
 def make_stage(problem: Problem, number: int, world: Floats) -> Stage:
-    """Return one stage of a problem.
-
-    Args:
-        problem: The problem.
-        number: 0 for what stands in the room, 1 for what stands on that, and so on.
-        world: (n, 4) current poses; those outside the stage stay.
-    """
+    """Return one stage of a problem; what is outside it keeps its world poses (n, 4)."""
     count = len(problem.names)
     moving = problem.movable(number)
     rows = _Rows(problem, set(moving))
@@ -187,9 +181,7 @@ def _turning(problem: Problem) -> set[int]:
     """Return the slots that gradients turn: of a room without guesses, which is built square, only what has to look at something."""
     if problem.guessed:
         return set(range(len(problem.names)))
-    rows = (
-        row for rows in problem.statement_terms for row in rows if isinstance(row, FrameTerm) and row.look is not None
-    )
+    rows = (row for row in problem.statement_terms if isinstance(row, FrameTerm) and row.look is not None)
     return {problem.slot[row.a.name] for row in rows if isinstance(row.a, AssetRef)}
 
 
@@ -300,8 +292,8 @@ class _Rows(Bodies):
         self.framed: list[FrameTerm] = []
         self.mirrored: list[MirrorTerm] = []
         self.clear: list[ClearTerm] = []
-        statements = (term for terms in problem.statement_terms for term in terms)
-        for term in (*problem.implicit_terms, *statements, *problem.wall_terms, *_stay_terms(problem)):
+        implied, said = problem.implicit_terms, problem.statement_terms
+        for term in (*implied, *said, *problem.wall_terms, *_stay_terms(problem)):
             self._collect(term)
 
     def _collect(self, term: Term) -> None:

@@ -3,13 +3,19 @@
 from __future__ import annotations
 
 from robolayout._geometry import Array, Body, backend, corners, point_to_box, signed_distance
-from robolayout.solve.arrays import Arrays
+from robolayout.solve.arrays import Arrays, Losses
 from robolayout.solve.config import Weights
 
 
 def hard(depth: Array, weights: Weights) -> Array:
     """Return d^2 + hinge d for a depth of violation in metres."""
     return depth * depth + weights.hinge * depth
+
+
+def hard_part(parts: Losses, weights: Weights, routes: Array | float = 1.0) -> Array:
+    """Return the weighted sum of the hard terms per start, that of the routes scaled by `routes`."""
+    kept = weights.overlap * parts.overlap + weights.inside * parts.boundary
+    return kept + weights.clear * parts.clear + weights.routes * routes * parts.reachability
 
 
 def saturated(residual: Array, weights: Weights) -> Array:

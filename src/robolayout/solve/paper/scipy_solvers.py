@@ -13,11 +13,10 @@ from typing import Any
 
 import numpy as np
 
-from robolayout.solve.compile import Floats, Problem
-from robolayout.solve.judge import Judge
+from robolayout.solve.compile import Floats
 from robolayout.solve.paper.project import projected
 from robolayout.solve.paper.solver import Compared, Evaluation, paper_loss, random_start
-from robolayout.solve.solution import Progress, Solution, conclude
+from robolayout.solve.solution import Solution, conclude
 
 
 @dataclass(frozen=True)
@@ -31,22 +30,16 @@ class ScipyConfig:
     polish: int = 60  # iterations of `trust-constr` that follow annealing, to put headings on the unit circle
 
 
+@dataclass
 class ScipySolver(Compared):
-    """Solves one problem with one of SciPy's optimisers; `config` bounds the search."""
+    """Solves one problem with one of SciPy's optimisers."""
 
-    def __init__(
-        self,
-        problem: Problem,
-        judge: Judge,
-        *,
-        seed: int = 0,
-        config: ScipyConfig | None = None,
-        progress: Progress | None = None,
-    ) -> None:
-        super().__init__(problem, judge, seed, progress)
-        self.config = config or ScipyConfig()
+    config: ScipyConfig = ScipyConfig()
+
+    def __post_init__(self) -> None:
+        problem = self.problem
         self.loss = paper_loss(problem)
-        self.start = random_start(problem, np.random.default_rng(seed))
+        self.start = random_start(problem, np.random.default_rng(self.seed))
         self.free = [i for i, name in enumerate(problem.names) if name not in problem.pinned]
         self.last = (np.empty(0), Evaluation(0.0, np.empty(0), np.empty(0)))
 

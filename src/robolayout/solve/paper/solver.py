@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import KW_ONLY, dataclass, field, replace
 from typing import NamedTuple
 
 import numpy as np
@@ -70,12 +70,7 @@ Loss = Callable[[Floats], Evaluation]
 
 
 def paper_loss(problem: Problem, *, held: bool = False) -> Loss:
-    """Return the paper's loss of world poses (n, 4).
-
-    Args:
-        problem: The problem.
-        held: Whether the gradient of a statement leaves alone what it refers to, as in the paper's algorithm.
-    """
+    """Return the paper's loss of world poses (n, 4); `held` as in `make_table`."""
     table = make_table(problem, held=held)
     padding = np.tile([0.0, 0.0, 1.0, 0.0], (len(table.half), 1))
 
@@ -189,20 +184,17 @@ def problematic(problem: Problem, world: Floats) -> tuple[int, ...]:
     return tuple(i for i in sorted(meeting) if problem.names[i] not in problem.pinned)
 
 
+@dataclass
 class Compared:
-    """A solver that is kept to compare, with its losses and poses on the way.
+    """A solver that is kept to compare, with its losses and poses on the way."""
 
-    Args:
-        problem: The problem.
-        judge: The exact verifier, as an order on layouts.
-        seed: Seed of the random start, and of whatever else is drawn.
-        progress: Called with the name of each phase.
-    """
-
-    def __init__(self, problem: Problem, judge: Judge, seed: int, progress: Progress | None) -> None:
-        self.problem, self.judge, self.seed, self.progress = problem, judge, seed, progress or silent
-        self.losses: list[dict[str, float]] = []
-        self.shots: list[Snapshot] = []
+    problem: Problem
+    judge: Judge
+    _: KW_ONLY
+    seed: int = 0  # of the random start, and of whatever else is drawn
+    progress: Progress = silent  # called with the name of each phase
+    losses: list[dict[str, float]] = field(default_factory=list[dict[str, float]], init=False)
+    shots: list[Snapshot] = field(default_factory=list[Snapshot], init=False)
 
     @property
     def trace(self) -> Trace:
@@ -217,22 +209,15 @@ class Compared:
         self.losses.append({**terms, "total": sum(terms.values())})
 
 
+@dataclass
 class PaperSolver(Compared):
-    """Solves one problem as the paper does; `config` has its constants."""
+    """Solves one problem as the paper does."""
 
-    def __init__(
-        self,
-        problem: Problem,
-        judge: Judge,
-        *,
-        seed: int = 0,
-        config: PaperConfig = PAPER,
-        progress: Progress | None = None,
-    ) -> None:
-        super().__init__(problem, judge, seed, progress)
-        self.config = config
-        self.loss = paper_loss(problem, held=True)
-        free = [name not in problem.pinned for name in problem.names]
+    config: PaperConfig = PAPER
+
+    def __post_init__(self) -> None:
+        self.loss = paper_loss(self.problem, held=True)
+        free = [name not in self.problem.pinned for name in self.problem.names]
         self.free = np.array(free, dtype=float)[:, None]
 
     def solve(self) -> Solution:

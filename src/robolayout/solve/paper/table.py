@@ -37,9 +37,7 @@ class Table(NamedTuple):
 def make_table(problem: Problem, *, held: bool) -> Table:
     """Return the paper's loss of a problem: its statements, overlaps and the pairwise reach, but no term of our own.
 
-    Args:
-        problem: The problem.
-        held: Whether statements leave alone what they refer to.
+    `held` lets the gradient of a statement leave alone what it refers to, as in the paper's algorithm.
     """
     bodies = Bodies(problem)
     size = bodies.size
