@@ -6,6 +6,7 @@ import math
 import tomllib
 from collections import Counter
 from dataclasses import replace
+from importlib import import_module
 
 import pytest
 
@@ -17,7 +18,8 @@ from robolayout.run.dressing import dressed
 from robolayout.run.flow import generate
 from robolayout.run.result import judge
 from robolayout.scene import DRESSINGS, Asset, Layout, Opening, Pose, Room, Scene, scene_from_dict, scene_to_dict
-from robolayout.solve import DressConfig, dress
+from robolayout.solve import dress
+from robolayout.solve.dress import DressConfig
 from robolayout.verify import physics, verify
 
 ROOM = Room(((0.0, 0.0), (5.0, 0.0), (5.0, 4.0), (0.0, 4.0)), 2.6, (Opening(0, 3.8, 0.9, 2.05),))
@@ -177,10 +179,13 @@ def test_a_dressed_room_can_be_dressed_again() -> None:
     assert not set(physics(twice.scene, twice.layout).failing)
 
 
-def test_there_are_never_more_than_wanted_and_what_is_left_keeps_its_drawn_goods() -> None:
+def test_there_are_never_more_than_wanted_and_what_is_left_keeps_its_drawn_goods(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
     shelves = [on_floor("shop shelf", 0.5 + 1.3 * i, 0.4 + 1.5 * j, 90, 3 * j + i) for i in range(3) for j in range(2)]
     scene, layout = furnished(*shelves, name="store")
-    found = dress(scene, layout, config=DressConfig(most=40))
+    monkeypatch.setattr(import_module("robolayout.solve.dress"), "DRESS", DressConfig(most=40))
+    found = dress(scene, layout)
     assert len(found.names) <= 40
     assert {bool(asset.without) for asset in found.scene.assets if asset.category == "shop shelf"} == {True, False}
 

@@ -90,7 +90,7 @@ def _chairs_at(targets: Targets, world: Floats, rows: Cells) -> Mask:
 
 def _feet(targets: Targets, world: Floats, slots: Cells) -> NDArray[np.object_]:
     """Return the outlines of some slots in plan."""
-    boxes = Body(*world[slots].T, *targets.half[slots].T, np.zeros(len(slots)))
+    boxes = Body(*np.hstack([world[slots], targets.half[slots], np.zeros((len(slots), 1))]).T)
     return np.asarray(shapely.polygons(np.stack(corners(boxes), axis=-1)), dtype=object)
 
 

@@ -59,6 +59,9 @@ class DressConfig:
     lift: float = 0.0002
 
 
+DRESS = DressConfig()
+
+
 @dataclass(frozen=True)
 class Dressed:
     """A room with small things in it."""
@@ -68,9 +71,7 @@ class Dressed:
     names: tuple[str, ...]  # their names
 
 
-def dress(
-    scene: Scene, layout: Layout, amount: str = "full", *, seed: int = 0, config: DressConfig | None = None
-) -> Dressed:
+def dress(scene: Scene, layout: Layout, amount: str = "full", *, seed: int = 0) -> Dressed:
     """Return a room with small things on its surfaces.
 
     Args:
@@ -78,11 +79,10 @@ def dress(
         layout: Where everything stands; what is not placed carries nothing.
         amount: One of `DRESSINGS`.
         seed: Settles what lies where.
-        config: Numbers; the usual ones if None.
     """
     if not AMOUNTS[amount]:
         return Dressed(scene, layout, ())
-    return _Dresser(scene, layout, AMOUNTS[amount], seed, config or DressConfig()).run()
+    return _Dresser(scene, layout, AMOUNTS[amount], seed).run()
 
 
 def _rules(kind: str, words: str) -> list[Mapping[str, Any]]:
@@ -118,7 +118,6 @@ class _Dresser:
     layout: Layout
     amount: float
     seed: int
-    config: DressConfig
     assets: list[Asset] = field(default_factory=list[Asset])
     poses: dict[str, Pose] = field(default_factory=dict[str, Pose])
     without: dict[str, tuple[str, ...]] = field(default_factory=dict[str, tuple[str, ...]])
@@ -133,10 +132,10 @@ class _Dresser:
         # tops before insides; shelves last: those for which nothing is left keep what is drawn on them
         for asset, covered in [*product(plain, (False,)), *product(plain, (True,)), *product(shown, (None,))]:
             self._asset(asset, rules[asset.name], covered)
-            if len(self.assets) >= self.config.most:
-                for extra in self.assets[self.config.most :]:
+            if len(self.assets) >= DRESS.most:
+                for extra in self.assets[DRESS.most :]:
                     del self.poses[extra.name]
-                del self.assets[self.config.most :]
+                del self.assets[DRESS.most :]
                 break
         bare = tuple(replace(a, without=self.without.get(a.name, a.without)) for a in self.scene.assets)
         scene, layout = replace(self.scene, assets=(*bare, *self.assets)), Layout({**self.layout, **self.poses})
@@ -168,7 +167,7 @@ class _Dresser:
         pose = self.layout[asset.name]
         inner = surface.region
         if not surface.is_hook:
-            inner = inner.buffer(self.config.slack - self.config.edge, join_style="mitre")
+            inner = inner.buffer(DRESS.slack - DRESS.edge, join_style="mitre")
         free = inner.difference(self._taken(asset, pose, surface))
         if free.is_empty:
             return
@@ -180,7 +179,7 @@ class _Dresser:
     def _taken(self, asset: Asset, pose: Pose, surface: Surface) -> BaseGeometry:
         """Return what of a surface is covered by what stands there already, in the carrier's frame."""
         level = pose.z - asset.size[2] / 2 + surface.height
-        top, near = level + min(surface.free, self.config.above), math.hypot(*asset.size[:2]) / 2
+        top, near = level + min(surface.free, DRESS.above), math.hypot(*asset.size[:2]) / 2
         corners = [
             np.array([(c, s), (-s, c)]).T @ np.array(prism.outline).T + [[place.x], [place.y]]
             for other, place in self._standing
@@ -194,12 +193,12 @@ class _Dresser:
             return Polygon()
         (c, s), middle = pose.forward, (pose.x, pose.y)
         own = (np.array(corners).transpose(0, 2, 1) - middle) @ np.array([[c, -s], [s, c]])
-        return shapely.union_all(shapely.buffer(shapely.polygons(own), self.config.gap, join_style="mitre"))
+        return shapely.union_all(shapely.buffer(shapely.polygons(own), DRESS.gap, join_style="mitre"))
 
     def _kind(self, place: _Place, things: Mapping[str, float], wide: float = math.inf) -> Asset | None:
         """Return one of the things that fit under what covers a surface, and into a width one way round or the other, in a size
         of its own; None where none does."""
-        room, least = place.surface.free - self.config.air, 1 - self.config.vary
+        room, least = place.surface.free - DRESS.air, 1 - DRESS.vary
         sizes = {kind: CATALOGUE[kind].size for kind in things if kind not in self._had}
         fit = [kind for kind, size in sizes.items() if size[2] * least <= room and min(size[:2]) * least <= wide]
         if not fit:
@@ -207,19 +206,19 @@ class _Dresser:
         kind = place.rng.choices(fit, [things[kind] for kind in fit])[0]
         depth, width, height = sizes[kind]
         narrow = width if width * least <= wide else min(depth, width)
-        scale = min(place.rng.uniform(least, 2 - least), (wide - 10 * self.config.slack) / narrow)
+        scale = min(place.rng.uniform(least, 2 - least), (wide - 10 * DRESS.slack) / narrow)
         tall = min(height * place.rng.uniform(least, 2 - least), room)
         return Asset("", kind, (round(depth * scale, 4), round(width * scale, 4), round(tall, 4)))
 
     def _row(self, place: _Place, rule: Mapping[str, Any]) -> None:
         """Stand things side by side along the front edge, runs of one kind; those of `tight` close, each in its own size."""
-        y, ahead, end = (place.surface.rectangle[i] + sign * self.config.edge for i, sign in ((1, 1), (2, -1), (3, -1)))
+        y, ahead, end = (place.surface.rectangle[i] + sign * DRESS.edge for i, sign in ((1, 1), (2, -1), (3, -1)))
         while (thing := self._kind(place, rule["things"], end - y)) is not None:
             tight = thing.category in rule.get("tight", ())
             runs = place.rng.randint(1, rule["run"]) if "run" in rule and (tight or "tight" not in rule) else 1
             if place.rng.random() > rule["fill"] * (0.5 + 0.5 * self.amount):
-                y += place.rng.uniform(*self.config.spread)
-            own, gap = self._variable(thing.category), self.config.close if tight else self.config.gap
+                y += place.rng.uniform(*DRESS.spread)
+            own, gap = self._variable(thing.category), DRESS.close if tight else DRESS.gap
             turn = math.pi / 2 if thing.size[1] > end - y >= thing.size[0] else 0.0  # what is too wide lies lengthwise
             for _ in range(runs):
                 deep, across = thing.size[1::-1] if turn else thing.size[:2]
@@ -229,12 +228,12 @@ class _Dresser:
                     break
                 y += across + gap
                 thing = (self._kind(place, {thing.category: 1}) if tight else thing) or thing
-            y += place.rng.uniform(*self.config.loose)
+            y += place.rng.uniform(*DRESS.loose)
 
     def _back(self, place: _Place, rule: Mapping[str, Any]) -> None:
         """Stand things along the back edge, with room between them."""
         behind, y, _, end = place.surface.rectangle
-        y += place.rng.uniform(*self.config.spread)
+        y += place.rng.uniform(*DRESS.spread)
         last = ""
         while y < end:
             choice = {kind: weight for kind, weight in rule["things"].items() if kind != last} or rule["things"]
@@ -242,16 +241,16 @@ class _Dresser:
             if thing is None:
                 return
             last = thing.category
-            askew = math.radians(place.rng.uniform(-self.config.turn, self.config.turn))
+            askew = math.radians(place.rng.uniform(-DRESS.turn, DRESS.turn))
             half = (thing.size[1] * math.cos(askew) + thing.size[0] * abs(math.sin(askew))) / 2
             deep = (thing.size[0] * math.cos(askew) + thing.size[1] * abs(math.sin(askew))) / 2
             own = self._variable(thing.category)
-            x = behind + self.config.edge + deep + place.rng.uniform(*self.config.loose)
-            for ahead in self.config.ahead:  # a mirror on the wall, a lamp, or a screen may stand behind
+            x = behind + DRESS.edge + deep + place.rng.uniform(*DRESS.loose)
+            for ahead in DRESS.ahead:  # a mirror on the wall, a lamp, or a screen may stand behind
                 if self._put(place, thing, (x + ahead, y + half, askew), own, rule=rule):
                     break
             share = max(rule.get("fill", 0.5) * (0.4 + 0.6 * self.amount), 0.05)
-            y += 2 * half + place.rng.uniform(*self.config.spread) / share / 2
+            y += 2 * half + place.rng.uniform(*DRESS.spread) / share / 2
 
     def _middle(self, place: _Place, rule: Mapping[str, Any]) -> None:
         """Stand one thing in the middle."""
@@ -264,13 +263,13 @@ class _Dresser:
         """Put things down anywhere."""
         x0, y0, x1, y1 = place.surface.region.bounds
         for _ in range(max(1, round(rule["fill"] * self.amount * place.rng.uniform(0.6, 1.2)))):
-            for number in range(self.config.tries):
+            for number in range(DRESS.tries):
                 thing = self._kind(place, rule["things"])
                 if thing is None:
                     return
-                loose = 3 * self.config.turn * (1 - number / self.config.tries)  # a tight place wants it straight
+                loose = 3 * DRESS.turn * (1 - number / DRESS.tries)  # a tight place wants it straight
                 turn = math.radians(place.rng.gauss(0, loose))
-                half = np.abs(Pose(0.0, 0.0, 0.0, turn).corners(thing.size)).max(axis=0) + self.config.edge
+                half = np.abs(Pose(0.0, 0.0, 0.0, turn).corners(thing.size)).max(axis=0) + DRESS.edge
                 (dx, dy), at = half.tolist(), place.rng.uniform
                 x, y = at(x0 + dx, max(x1 - dx, x0 + dx)), at(y0 + dy, max(y1 - dy, y0 + dy))
                 if self._put(place, thing, (x, y, turn), self._variable(thing.category), rule=rule):
@@ -309,7 +308,7 @@ class _Dresser:
                 continue
             x, y = c * (at.x - pose.x) - s * (at.y - pose.y), s * (at.x - pose.x) + c * (at.y - pose.y)
             facing = at.yaw - pose.yaw
-            ahead, reach = (math.cos(facing), math.sin(facing)), seat.size[0] / 2 + self.config.seat
+            ahead, reach = (math.cos(facing), math.sin(facing)), seat.size[0] / 2 + DRESS.seat
             back = (x - ahead[0], y - ahead[1])
             ray = shapely.LineString([back, (x + reach * ahead[0], y + reach * ahead[1])])
             met = shapely.get_coordinates(ray.intersection(outline)).tolist()
@@ -332,13 +331,13 @@ class _Dresser:
         low, high = (np.array([f(u) for u in (x, y, x + y, x - y)]) for f in (np.min, np.max))
         spans = piece_spans(place.carrier)
         top, least, most = spans[:, 5], spans[:, [0, 2, 6, 8]], spans[:, [1, 3, 7, 9]]
-        height, slack = place.surface.height, self.config.level
+        height, slack = place.surface.height, DRESS.level
         tops = (top <= height + slack) & (top > height - SURFACES.level - slack)
         under = tops & (least < high).all(axis=1) & (most > low).all(axis=1)
         if not under.any():
             return height  # a mesh of the user's own
         level = top[under].max()
-        if height - level > self.config.sunk:
+        if height - level > DRESS.sunk:
             return None
         whole = under & (least <= low).all(axis=1) & (most >= high).all(axis=1) & (top > level - slack)
         return float(level) if whole.any() or level - top[under].min() < slack else None
@@ -358,18 +357,18 @@ class _Dresser:
         It lies free and wholly on its surface, or not at all.
         """
         x, y, turn = at
-        if thing.size[2] + self.config.air > place.surface.free:
+        if thing.size[2] + DRESS.air > place.surface.free:
             return False
         shape = Polygon(Pose(x, y, 0.0, turn).corners(thing.size))
         height = self._height(place, shape) if place.free.covers(shape) else None
         if height is None:
             return False
-        around = self.config.gap * 0.9 if gap is None else gap / 2
+        around = DRESS.gap * 0.9 if gap is None else gap / 2
         place.free = place.free.difference(shape.buffer(around, join_style="mitre"))
-        pose, rise = place.pose, thing.size[2] + self.config.lift
-        level = pose.z - place.carrier.size[2] / 2 + height + self.config.lift + thing.size[2] / 2
+        pose, rise = place.pose, thing.size[2] + DRESS.lift
+        level = pose.z - place.carrier.size[2] / 2 + height + DRESS.lift + thing.size[2] / 2
         stack = rule.get("stack", {}).get(thing.category, 1) if rule else 1
-        most = min(stack, (place.surface.free - self.config.air) // rise)
+        most = min(stack, (place.surface.free - DRESS.air) // rise)
         for i in range(place.rng.randint(int(most + 1) // 2, int(most)) if most > 1 else 1):
             self._lay(thing, Pose(*pose.point(x, y), level + i * rise, pose.yaw + turn), variable)
         return True
@@ -391,7 +390,7 @@ class _Dresser:
             return
         pose = place.pose
         spot = hung_from(place.surface, thing)
-        level = pose.z - place.carrier.size[2] / 2 + spot.height + self.config.lift + thing.size[2] / 2
+        level = pose.z - place.carrier.size[2] / 2 + spot.height + DRESS.lift + thing.size[2] / 2
         yaw = pose.yaw + math.atan2(spot.out[1], spot.out[0])
         at = Pose(*pose.point(*spot.region.centroid.coords[0]), level, yaw)
         shape = Polygon(at.corners(thing.size))

@@ -58,10 +58,6 @@ class ScipySolver(Compared):
         self.progress("search")
         low, high = self._box()
         bounds = list(zip(low, high, strict=True))
-
-        def note(x: Floats, _value: float, _context: int) -> None:
-            self._record(x)
-
         found = scipy.dual_annealing(
             self._value,
             bounds,
@@ -70,7 +66,7 @@ class ScipySolver(Compared):
             x0=np.clip(self.start[self.free].ravel(), low, high),
             seed=self.seed,
             minimizer_kwargs={"method": "L-BFGS-B", "jac": self._gradient, "bounds": bounds},
-            callback=note,
+            callback=self._record,
         )
         self.progress("polish")
         polished = self._trust_constr(found.x, self.config.polish)
@@ -96,9 +92,6 @@ class ScipySolver(Compared):
         def length(value: Floats) -> Floats:
             return np.sum(value.reshape(-1, 4)[:, 2:] ** 2, axis=1)
 
-        def note(value: Floats, _state: object) -> None:
-            self._record(value)
-
         low, high = self._box()
         tolerance = self.config.tolerance
         with warnings.catch_warnings():
@@ -111,7 +104,7 @@ class ScipySolver(Compared):
                 bounds=scipy.Bounds(low, high),
                 constraints=[scipy.NonlinearConstraint(length, 1.0, 1.0, jac=slope, hess=bend)],
                 options={"gtol": tolerance, "xtol": tolerance, "barrier_tol": tolerance, "maxiter": iterations},
-                callback=note,
+                callback=self._record,
             )
         return found.x
 
@@ -138,7 +131,8 @@ class ScipySolver(Compared):
     def _gradient(self, x: Floats) -> Floats:
         return self._at(x).gradient[self.free].ravel()
 
-    def _record(self, x: Floats) -> None:
+    def _record(self, x: Floats, *_state: object) -> None:
+        """Keep a step; SciPy's methods tell more of it, each in its way."""
         self.record("search", self._at(x), self._world(_on_circle(x)))
 
     def _concluded(self, x: Floats) -> Solution:
