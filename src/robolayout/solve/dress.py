@@ -118,8 +118,6 @@ class _Dresser:
     layout: Layout
     amount: float
     seed: int
-    assets: list[Asset] = field(default_factory=list[Asset])
-    poses: dict[str, Pose] = field(default_factory=dict[str, Pose])
     without: dict[str, tuple[str, ...]] = field(default_factory=dict[str, tuple[str, ...]])
 
     def run(self) -> Dressed:
@@ -130,16 +128,16 @@ class _Dresser:
         shown = [asset for asset in standing if _clears(rules[asset.name])]
         plain = [asset for asset in standing if not _clears(rules[asset.name])]
         # tops before insides; shelves last: those for which nothing is left keep what is drawn on them
+        count = len(self._standing)
         for asset, covered in [*product(plain, (False,)), *product(plain, (True,)), *product(shown, (None,))]:
             self._asset(asset, rules[asset.name], covered)
-            if len(self.assets) >= DRESS.most:
-                for extra in self.assets[DRESS.most :]:
-                    del self.poses[extra.name]
-                del self.assets[DRESS.most :]
+            if len(self._standing) >= count + DRESS.most:
                 break
+        laid = self._standing[count : count + DRESS.most]
         bare = tuple(replace(a, without=self.without.get(a.name, a.without)) for a in self.scene.assets)
-        scene, layout = replace(self.scene, assets=(*bare, *self.assets)), Layout({**self.layout, **self.poses})
-        return Dressed(scene, layout, tuple(asset.name for asset in self.assets))
+        scene = replace(self.scene, assets=(*bare, *(asset for asset, _ in laid)))
+        layout = Layout({**self.layout, **{asset.name: pose for asset, pose in laid}})
+        return Dressed(scene, layout, tuple(asset.name for asset, _ in laid))
 
     def __post_init__(self) -> None:
         self._standing = [(a, self.layout[a.name]) for a in self.scene.assets if a.name in self.layout]
@@ -378,8 +376,6 @@ class _Dresser:
         name = f"{variable}-{self._count[variable]}"
         self._count[variable] += 1
         made = replace(thing, name=name, on_floor=False, on_object=True, metadata={LIES_ABOUT: True})
-        self.assets.append(made)
-        self.poses[name] = pose
         self._standing.append((made, pose))
         self._had |= {thing.category} & set(read_data("dressing.toml")["once"])
 

@@ -55,11 +55,7 @@ def call(target: str, *arguments: Any, **constants: Hashable) -> list[Leaf]:
 def prepare(target: str, *arguments: Any, missing_only: bool = False, **constants: Hashable) -> None:
     """Load or compile in the background what `call` with arguments of these shapes will need.
 
-    Args:
-        target: As in `call`.
-        arguments: As in `call`.
-        missing_only: Whether to leave alone what is in the cache: loading it takes time from those who may not need it.
-        constants: As in `call`.
+    With `missing_only`, what is in the cache is left alone: loading it takes time from those who may not need it.
     """
     if missing_only:
         programs().compile_missing(target, arguments, constants)

@@ -6,6 +6,7 @@ by NumPy, so that a batch of places costs a few milliseconds and nothing is comp
 
 from __future__ import annotations
 
+from functools import cache
 from typing import NamedTuple
 
 import numpy as np
@@ -52,7 +53,7 @@ class Score:
         self._arrays = arrays._replace(edges=arrays.edges[:walls], inner=arrays.inner[inner])
         self._weights, self._count = weights, len(stage.problem.names)
         self._radius = np.hypot(*self._arrays.half.T)
-        self._known_rows: dict[int, _Rows] = {}
+        self._about = cache(self._sought)
 
     def hard(self, slot: int, poses: Floats, world: Floats, settled: Mask) -> tuple[Floats, Index]:
         """Return what poses (m, 4) of a slot cost by the hard terms, beside the settled slots (n,) of a world (n, 4).
@@ -106,13 +107,8 @@ class Score:
         hit = (self._overlaps(slot, poses, self._table(world), pairs) > self._weights.margin + EXACT).any(axis=0)
         return set(self._arrays.prism_slot[pairs[hit, 1]].tolist())
 
-    def _about(self, slot: int) -> _Rows:
-        """Return the rows of a slot, which are looked for once."""
-        if slot not in self._known_rows:
-            self._known_rows[slot] = self._sought(slot)
-        return self._known_rows[slot]
-
     def _sought(self, slot: int) -> _Rows:
+        """Return the rows of a slot; `_about` looks for them once."""
         arrays = self._arrays
         weighed = arrays.frame_row[:, -1] > 0.0
         first, second = (np.flatnonzero((arrays.frame_index[:, side] == slot) & weighed) for side in (0, 1))
