@@ -107,3 +107,38 @@ def test_the_command(right: rl.Result, tmp_path: Path) -> None:
     assert done.exit_code in (0, 1), done.output
     found = json.loads((tmp_path / "out" / "layout.json").read_text())
     assert found["double_bed-0"] == json.loads(start.read_text())["double_bed-0"]
+
+
+BEDROOM = "A bedroom with a double bed, two nightstands with lamps and a desk under the window. 6 x 5 m."
+
+
+@pytest.fixture(scope="module")
+def worded() -> rl.Result:
+    return rl.generate(BEDROOM, dress="none")
+
+
+def test_what_the_words_ask_for_is_mended_too(worded: rl.Result) -> None:
+    assert worded.report.ok
+    shoved = worded.layout.moved("desk-0", by=(-0.2, 1.2))
+    mended = rl.generate(worded.scene, start=shoved)
+    assert mended.report.ok
+    assert "desk-0" in away(shoved, mended.layout)
+    assert all(row.verdict == "met" for row in mended.report.asked if row.words == "desk under window")
+
+
+def test_what_is_missing_goes_back_into_its_place_with_what_stood_on_it(worded: rl.Result) -> None:
+    start = rl.Layout({name: pose for name, pose in worded.layout.items() if not name.startswith("night_stand")})
+    layout = rl.generate(worded.scene, start=start).layout
+    bed = layout["bed-0"]
+    for number in range(2):
+        stand, lamp = layout[f"night_stand-{number}"], layout[f"table_lamp-{number}"]
+        ahead, left = bed.forward, (-bed.forward[1], bed.forward[0])
+        dx, dy = stand.x - bed.x, stand.y - bed.y
+        assert dx * ahead[0] + dy * ahead[1] < -0.5 and abs(dx * left[0] + dy * left[1]) < 1.6  # at its head
+        assert (
+            min(
+                math.dist((lamp.x, lamp.y), (layout[f"night_stand-{k}"].x, layout[f"night_stand-{k}"].y))
+                for k in range(2)
+            )
+            < 0.3
+        )

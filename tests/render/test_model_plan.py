@@ -70,6 +70,14 @@ def test_ticks_stand_at_whole_metres() -> None:
     assert [rows[y] - rows[y + 1] for y in range(2, 9)] == pytest.approx([metre] * 7)
 
 
+def test_square_rooms_have_lines_both_ways() -> None:
+    chair = {"category": "chair", "onFloor": True, "assetMetadata": {"boundingBox": {"x": 0.5, "y": 0.5, "z": 0.9}}}
+    floor = [[0, 0, 0], [4, 0, 0], [4, 4, 0], [0, 4, 0]]
+    scene = scene_from_dict({"boundary": {"floor_vertices": floor, "wall_height": 2.6}, "assets": {"chair-0": chair}})
+    found = texts(scene, Layout({"chair-0": Pose(2.5, 2.5, 0.45, 0.0)}))
+    assert {t.text for t in found if t.text.isdigit() and t.at[0] < 12 and t.at[1] > 12} >= {"1", "2", "3"}
+
+
 def test_what_must_stay_free_is_hatched_and_the_picture_is_as_large_as_asked() -> None:
     scene, layout = full_room()
     plain = model_plan(scene, Layout({}), size=640)

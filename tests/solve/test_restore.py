@@ -73,15 +73,12 @@ def test_what_may_not_go_back_whole_goes_back_along_the_axis_that_it_may() -> No
     assert found[slot, :2] == pytest.approx(target[slot, :2] + 0.4 * front)
 
 
-def test_nothing_is_asked_where_the_program_places_nothing() -> None:
+def test_what_no_program_places_goes_back_where_it_was_built() -> None:
     scene = rl.load_scene("examples/bedroom.json")
     problem = compile_problem(scene, read_program("", scene))
     world = problem.start + 0.1
-
-    def never(_world: Floats) -> bool:
-        raise AssertionError
-
-    assert np.array_equal(restored(problem, world, never, TRIALS), world)
+    assert problem.moved(world) == 0.0 < problem.away(world)
+    assert np.array_equal(restored(problem, world, lambda _world: True, TRIALS), problem.start)
 
 
 @pytest.mark.parametrize("angle", [0.1, 0.7])

@@ -290,7 +290,8 @@ def test_what_is_to_hold_others_is_large_enough() -> None:
 
 def test_a_second_room_is_a_thing_or_not_understood() -> None:
     _, found = scene_from_sentence("A studio with a sofa bed, a kitchenette and a table")
-    assert found.room_type == "studio" and found.wished["kitchen counter"] == 1
+    assert found.room_type == "studio" and found.wished["kitchenette"] == 1
+    assert {"kitchen sink", "stove", "fridge"} <= found.added.keys()
     scene, _ = scene_from_sentence("A bedroom with a bed and a bathroom")
     rows = {row.words: row.understanding for row in read_words(scene).rows}
     assert rows["a bathroom"] == "one room is laid out, the bedroom"

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
+from pathlib import Path
 
 import pytest
 
@@ -183,3 +184,37 @@ def test_the_seats_of_a_scene_are_all_that_it_has() -> None:
     scene = Scene(Room(((0, 0), (5, 0), (5, 4), (0, 4)), 2.6), (table, *chairs, *plates, *rest), task_description=text)
     (row,) = [row for row in read_words(scene).rows if "plate" in row.words.lower() and row.kind == "relation"]
     assert {name.split("-")[0] for name in row.things} == {"plate", "dining_chair"}
+
+
+def test_visitors_sit_across_a_desk_whose_owner_gets_a_chair() -> None:
+    scene, understood = scene_from_sentence("A consulting room with a desk with two visitor chairs.")
+    assert understood.added["office chair"] == 1
+    rows = {row.words: row.understanding for row in read_words(scene).rows}
+    assert "behind(visitor_chair-0, desk-0" in rows["desk with two visitor chairs"]
+
+
+@pytest.mark.parametrize("desk", ["gaming desk", "executive desk", "desk"])
+def test_a_desk_of_any_name_has_a_chair(desk: str) -> None:
+    assert scene_from_sentence(f"A bedroom with a bed and a {desk}.")[1].added["office chair"] == 1
+
+
+def test_standing_free_in_the_middle_is_about_who_stands_there() -> None:
+    assert links("A dining room. The table stands free in the middle with its chairs around it.") >= {
+        ("middle", "table", "")
+    }
+
+
+@pytest.mark.parametrize(
+    "text", ["a living room with a {} in the corner", "a hall with a bed and a {}", "two {}s at the window"]
+)
+def test_relations_know_the_kinds_of_ones_own(text: str, tmp_path: Path) -> None:
+    file = tmp_path / "own.toml"
+    wheel = '["spinning wheel"]\nlike = "easel"\nsize = [0.8, 0.45, 1.0]\nplace = ["floor"]\nrole = "statue"\n'
+    file.write_text(wheel + '[group]\nlabel = "crafts"\nwhy = "For the light."\n', encoding="utf-8")
+    scene, understood = scene_from_sentence(text.format("spinning wheel"), knowledge=[file])
+    assert understood.wished["spinning wheel"] >= 1 and read_words(scene).rows
+
+
+def test_word_salad_is_read() -> None:
+    scene, _ = scene_from_sentence("room height between under them, the window, is a table")
+    assert any(row.words == "a table" for row in read_words(scene).rows)

@@ -13,7 +13,7 @@ from robolayout.assets import Category
 from robolayout.planners._knowledge import Role
 from robolayout.planners._wishes import Wishes
 from robolayout.scene import Agent
-from robolayout.words import KIN
+from robolayout.words import KIN, VISITING
 
 COMFORT, AIRY = 0.26, 0.15
 """Shares of the floor up to which further things are added: usually, and in a room that is to be airy."""
@@ -111,7 +111,7 @@ class Added:
     def __post_init__(self) -> None:
         """Note what the words leave no room for."""
         wishes, known = self.wishes, self.known
-        self.room, self.companions = wishes.room, wishes.rooms.companions
+        self.room = wishes.room
         self.fill = AIRY if wishes.reading.airy else self.fill
         self.asked = {known.head(name) for name in wishes.things} | (
             {"bed"} & {known.head(name) for name in self.wished}
@@ -120,7 +120,7 @@ class Added:
         links = [link for link in wishes.reading.parsed.links if link.relation in ("on", "above")]
         laid = {mention.thing.noun.kind for link in links for mention in link.subjects}
         borne = {kind for kind in laid if "floor" not in known.kinds[kind].places}
-        self.spared = {other for name in borne for other in self.companions.get(name, {})}  # their bearer is said
+        self.spared = {other for name in borne for other in self._companions(name)}  # their bearer is said
         self.ceiling = (wishes.reading.measure("height") or (math.inf,))[0]
         self.found: dict[str, int] = {}
 
@@ -157,11 +157,16 @@ class Added:
         taken = self.known.floor_area(both(self.wished, self.found, group))
         return self.known.floor_area(group) == 0 or taken <= limit * self.floor
 
+    def _companions(self, name: str) -> Mapping[str, int]:
+        """Return what a thing is of no use without, by its own name or by what it is like."""
+        table = self.wishes.rooms.companions
+        return table.get(name) or table.get(self.known.kinds[name].like or "", {})
+
     def _go_along(self, name: str, count: int) -> None:
         """Add what a wished thing is of no use without; benches and stools are seats of tables, too."""
-        there = {self.known.head(other) for other in self.wished}
+        there = {self.known.head(other) for other in self.wished if other.split()[0] not in VISITING}
         there |= {"chair"} if head(name) == "table" and SEATS & {*self.wished} else set()
-        for other, each in self.companions.get(name, {}).items():
+        for other, each in self._companions(name).items():
             spared = other in self.spared or other in self.wishes.reading.unwanted
             if not spared and head(other) not in there | self.wishes.general:
                 self.found[other] = self.found.get(other, 0) + count * each
@@ -173,7 +178,7 @@ class Added:
         waiting = "chair" in present and not {"table", "desk"} & present
         needs = {
             other: each
-            for other, each in self.companions.get(name, {}).items()
+            for other, each in self._companions(name).items()
             if (head(other) == "chair" and not waiting) or (head(other) not in present and other not in self.room.base)
         }
         limit = BASIC if name in self.room.base and self.fill > AIRY else self.fill

@@ -76,6 +76,8 @@ class OfflinePlanner:
                 if line not in asked and about & there and there <= about | known:
                     # what the user asks for in other figures is only wished for
                     text.append(line.replace("solver.", "solver.wish.", 1) if _topic(line) in topics else line)
+        if request.group is None:  # of what has its place already only what the user asks for is said
+            text += [f"{line}  # asked by the user" for line, subject in asked.items() if subject in known]
         return "\n".join(text) + "\n"
 
 

@@ -90,8 +90,7 @@ def _draw_ticks(sheet: Drawing, room: Room, place: Place) -> None:
     x0, y0, x1, y1 = room.bounds
     step = next(s for s in (1, 2, 5, 10, 20, 50, 100, 1000) if max(x1 - x0, y1 - y0) / s <= MODEL_PLAN.ticks)
     out = PLAN.wall * millimetres(place) + 0.5
-    for low, high, across in ((x0, x1, (y0, y1)), (y0, y1, (x0, x1))):
-        upright = across == (y0, y1) and low == x0 and high == x1
+    for upright, low, high, across in ((True, x0, x1, (y0, y1)), (False, y0, y1, (x0, x1))):
         for number in range(math.ceil(low / step - 1e-9), math.floor(high / step + 1e-9) + 1):
             value = float(number * step)
             ends = [place(value, end) if upright else place(end, value) for end in across]

@@ -15,7 +15,7 @@ from robolayout.planners import Critic, Group, GroupPlanner, OfflinePlanner, Pla
 from robolayout.program import Program, Reconciled, read_program, reconcile
 from robolayout.run.attempt import Attempt, Clock, Progress
 from robolayout.run.dressing import dressed
-from robolayout.run.given import as_scene, as_start, guesses_of, pinned_poses
+from robolayout.run.given import as_scene, as_start, guesses_of, pinned_poses, supported
 from robolayout.run.result import Result
 from robolayout.run.verdict import make_judge
 from robolayout.scene import Agent, Layout, Pose, Scene
@@ -185,10 +185,12 @@ class Run:
 
     def edited(self, planner: Planner, program: str | None, start: Layout, pinned: Mapping[str, Pose]) -> Attempt:
         """Mend a layout with the least change; what it does not place is planned and fitted in."""
-        if program is None and (len(start) < len(self.scene.assets) or not isinstance(planner, OfflinePlanner)):
+        start = supported(self.scene, start, pinned)
+        if program is None:
             with self.clock.station("plan"):
-                program = planner.plan(PlanRequest(self.scene, placed=start, seed=self.seed))
-        asked = self._read(program or "")
+                request = PlanRequest(self.scene, placed=start, seed=self.seed, asked=self.wishes.demands)
+                program = planner.plan(request)
+        asked = self._read(program)
         asked = replace(asked, guesses={**asked.guesses, **guesses_of(start)})
         return self.finished([asked], self.scene, pinned)[0]
 

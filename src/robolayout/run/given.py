@@ -8,6 +8,8 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
+import shapely
+
 from robolayout._errors import InputError, UnknownNameError
 from robolayout.planners import ModelPlanner, Planner, Understanding, scene_from_sentence
 from robolayout.program import Guess
@@ -22,8 +24,11 @@ from robolayout.scene import (
     load_layout,
     load_scene,
     scene_from_dict,
+    vertical_span,
 )
 from robolayout.verify import AgentSpec
+
+LEVEL = 0.05  # metres above a top up to which something counts as standing on it
 
 LONGEST_WORD = 45  # letters of the longest word of a dictionary: more of them without a blank are a path
 
@@ -96,6 +101,22 @@ def pinned_poses(scene: Scene, start: Layout | None, keep: Sequence[str], free: 
             raise InputError(f"{name!r} cannot be kept: the layout to start from does not place it.")
     staying = set(keep) or (set(start) - set(free) if free else set[str]())
     return {name: start[name] for name in start if name in staying}
+
+
+def supported(scene: Scene, start: Layout, pinned: Mapping[str, Pose]) -> Layout:
+    """Return a layout without what can only stand on others and has nothing below it: it goes where its carrier goes."""
+
+    def below(name: str) -> bool:
+        here, (bottom, _) = shapely.Point(start[name].x, start[name].y), vertical_span(scene.by_name[name], start[name])
+        others = ((scene.by_name[other], pose) for other, pose in start.items() if other != name)
+        return any(
+            shapely.Polygon(pose.corners(asset.size)).covers(here) and low < bottom <= high + LEVEL
+            for asset, pose in others
+            for low, high in [vertical_span(asset, pose)]
+        )
+
+    only_on_others = {a.name for a in scene.assets if a.on_object and not (a.on_floor or a.on_wall or a.on_ceiling)}
+    return Layout({n: pose for n, pose in start.items() if n not in only_on_others - pinned.keys() or below(n)})
 
 
 def guesses_of(layout: Layout) -> dict[str, Guess]:

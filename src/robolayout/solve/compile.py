@@ -140,7 +140,13 @@ class Problem:
 
     def moved(self, world: Floats) -> float:
         """Return how far the things that the program places are from there: metres, and `TURN` for each radian."""
-        slots = [self.slot[name] for name in self.guessed]
+        return self._off(world, [self.slot[name] for name in self.guessed])
+
+    def away(self, world: Floats) -> float:
+        """Return the same of all things: how far they are from their guesses, or from where the room was built."""
+        return self._off(world, [*self.slot.values()])
+
+    def _off(self, world: Floats, slots: Sequence[int]) -> float:
         off = world[slots] - self.start[slots]
         turned = 2.0 * np.arcsin(np.minimum(np.hypot(*off[:, 2:].T) / 2.0, 1.0))
         return float(np.hypot(*off[:, :2].T).sum() + TURN * turned.sum())

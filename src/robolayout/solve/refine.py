@@ -350,7 +350,7 @@ def near(problem: Problem, world: Floats, moving: tuple[int, ...], count: int, r
         sigma = (0.05 + 0.3 * k / count) * scale
         for slot in moving:
             start[slot, :2] += rng.normal(0.0, sigma, 2)
-            if rng.random() < sigma / 2:
+            if rng.random() < sigma / 2 and problem.guessed:
                 start[slot, 2:] = [-start[slot, 3], start[slot, 2]]
     bring_in(problem, starts, moving)
     return starts

@@ -23,11 +23,11 @@ PULL = 0.05
 """Metres by which a rug comes along with what is squared on it."""
 
 GAIN = 0.01
-"""Metres (`Problem.moved`) that putting a thing back must be worth."""
+"""Metres (`Problem.away`) that putting a thing back must be worth."""
 
 
 def restored(problem: Problem, world: Floats, no_worse: Callable[[Floats], bool], trials: int) -> Floats:
-    """Return poses (n, 4) with as much as possible where the program's guess has it.
+    """Return poses (n, 4) with as much as possible where the program's guess has it, or where the room was built.
 
     Everything that moved is put back at once, else half of it, and so on down to single things with what stands on them
     and what goes by them (a desk with its chair), so that a row that had to give way in one place stays a row elsewhere. Then
@@ -99,18 +99,18 @@ def _nearer(problem: Problem, world: Floats, slot: int, no_worse: Callable[[Floa
     here, there = world[slot], problem.start[slot]
     off = relative(here, there)
     parts = ((1.0, 1.0), (1.0, 0.0), (0.0, 1.0), (0.7, 0.7), (0.4, 0.4))
-    least = problem.moved(world) - GAIN
+    least = problem.away(world) - GAIN
     for (along, across), heading in (((1.0, 1.0), there), *((part, here) for part in parts), ((0.0, 0.0), there)):
         trial = world.copy()
         pose = compose(here, np.array([along * off[0], across * off[1], 1.0, 0.0]))
         carry(problem, trial, slot, np.concatenate([pose[:2], heading[2:]]))
-        if problem.moved(trial) < least and no_worse(trial):
+        if problem.away(trial) < least and no_worse(trial):
             return trial
     return world
 
 
 def _units(problem: Problem) -> list[list[int]]:
-    """Return the slots that the program places, each with what stands on it and what goes by it and leads nothing."""
+    """Return the slots that may move, each with what stands on it and what goes by it and leads nothing."""
     leaders: dict[int, list[int]] = {}
     for a, b, _ in problem.pairs:
         leaders.setdefault(a, []).append(b)
@@ -125,8 +125,7 @@ def _units(problem: Problem) -> list[list[int]]:
         return min(leaders[slot], key=lambda other: (math.dist(here, problem.start[other, :2]), other))
 
     units: dict[int, list[int]] = {}
-    for name in problem.guessed:
+    for slot, name in enumerate(problem.names):
         if name not in problem.pinned:
-            slot = problem.slot[name]
             units.setdefault(root(slot), []).append(slot)
     return [units[key] for key in sorted(units)]

@@ -6,7 +6,6 @@ from collections.abc import Sequence
 from dataclasses import replace
 from itertools import takewhile
 
-from robolayout.assets import CATALOGUE
 from robolayout.scene import FLAT_HEIGHT
 from robolayout.words import _function_words as small
 from robolayout.words._chunk import Chunk
@@ -229,7 +228,7 @@ class About(References):
         """Return what a relation right after a noun is about: small things "on" something all together, else the noun."""
         following = self._ahead().value
         noun = self.target.thing.noun if self.target is not None else None
-        hung = noun is not None and any("wall" in CATALOGUE[kind].places for kind in (noun.kind, *noun.others))
+        hung = noun is not None and any("wall" in kind.places for kind in noun.categories)
         told = relation in ("by", "next", "near", "holds", *(("on", "wall") if following == "wall" and hung else ()))
         last = self.group[-1:] or list(self.subject or ([self.target] if self.target is not None else []))
         does = {*self._ahead(-1).adjectives} & small.PLURAL_DOES and not self.relative  # "a sofa and a chair face it"
@@ -242,7 +241,7 @@ class About(References):
             told = told or (_on_tops(last[0]) and not _on_tops(self.target))  # "a laptop on the desk under the window"
         to = self._ahead().noun
         if self.target is not None and to is not None and last and relation in small.STANDING:
-            held = topped(last[0]) and not topped(self.target) and not CATALOGUE[to.kind].on_object
+            held = topped(last[0]) and not topped(self.target) and not to.category.on_object
             told = told or held  # "bottles on the shelves behind the counter"
         if self.target is not None and told and self.acted:
             return [self.target]
@@ -329,7 +328,7 @@ class About(References):
 
 def _where(relation: str, to: Chunk) -> tuple[str, ...]:
     """Return where a thing must be able to be that stands so to something: one stands also "on" a wall told from the others."""
-    flat = to.noun is not None and CATALOGUE[to.noun.kind].size[2] < FLAT_HEIGHT
+    flat = to.noun is not None and to.noun.category.size[2] < FLAT_HEIGHT
     if relation == "on" and to.value == "wall":
         return ("wall", "floor") if to.adjectives else ("wall",)
     if relation == "above":
@@ -341,7 +340,7 @@ def _where(relation: str, to: Chunk) -> tuple[str, ...]:
 
 def _places(thing: Thing) -> set[str]:
     """Return where things of any kind that a noun means can be."""
-    return {place for kind in (thing.noun.kind, *thing.noun.others) for place in CATALOGUE[kind].places}
+    return {place for kind in thing.noun.categories for place in kind.places}
 
 
 def _sat_at(mention: Mention) -> bool:

@@ -48,9 +48,14 @@ class Demander(AtPlaces):
         # of these only the first stands where they are put
         self.stacked = {thing for link in links if link.relation == "stacked" for thing in named(link.subjects)}
         asked = [(link, self._asked(link)) for link in links]
-        behind = [two for link, it in asked if link.relation == "behind" for two in it.twos]
+        twos = [(link.relation, *two) for link, it in asked for two in it.twos if self._is(two[1], ("desk",))]
+        hosted = any(self._is(asset.name, ways_of.SEATS) and not self._visits(asset.name) for asset in scene.assets)
         # desks with a seat behind them
-        self.manned = {b for a, b in behind if self._sits_behind(a, b) and self._is(b, ("desk",))}
+        self.manned = {
+            b
+            for relation, a, b in twos
+            if self._sits_behind(a, b) and (relation == "behind" or (hosted and self._visits(a)))
+        }
         self.told = ToldRows(scene, [(link, it.subjects, it.others) for link, it in asked])
 
     def demands(self, link: Link) -> tuple[Demand, ...]:
@@ -134,7 +139,8 @@ class Demander(AtPlaces):
         if asset.on_object and (not beside or self._is(b, ways_of.TOPS)):
             return self._on_each(a, b)
         if self._is(a, ways_of.SEATS) and self._is(b, ("desk", "counter", "island")):
-            return by_ways(ways_of.AT_A_DESK, a, b)
+            across = b in self.manned and self._visits(a)
+            return by_ways(ways_of.ACROSS_A_DESK[:1] if across else ways_of.AT_A_DESK, a, b)
         if beside or asset.on_wall:
             return single(stated("near", AssetRef(a), AssetRef(b), ways_of.BESIDE if beside else ways_of.NEAR))
         return None
@@ -205,6 +211,10 @@ class Demander(AtPlaces):
     def _sits_behind(self, a: str, b: str) -> bool:
         """Return whether who sits on a thing that is behind another uses that from there."""
         return self._is(a, ways_of.SEATS) and self._is(b, ("desk", "counter")) and not self._is(b, ("reception desk",))
+
+    def _visits(self, name: str) -> bool:
+        """Return whether a thing is a seat of those who sit across a desk from whose it is."""
+        return any(word in ways_of.VISITING for word in self._asset(name).category.split())
 
     def _ways(self, relation: str, a: str, b: str) -> ways_of.Ways:
         """Return what a relation asks for; before a desk behind which somebody sits is the other side of it, where one looks at it."""

@@ -69,7 +69,7 @@ def _settle_by_place(link: Link) -> None:
             continue
         if place == "wall" and not above and thing.category.on_floor and noun.said not in ("lamp", "light", "screen"):
             continue  # it stands there
-        fits = [kind for kind in (noun.kind, *noun.others) if place in CATALOGUE[kind].places]
+        fits = [kind.name for kind in noun.categories if place in kind.places]
         if noun.others and fits and noun.words in (noun.kind, noun.said):
             words = fits[0] if noun.words == noun.kind else noun.words
             thing.noun = replace(noun, words=words, kind=fits[0], others=())

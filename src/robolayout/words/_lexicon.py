@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 import tomllib
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from difflib import get_close_matches
 from functools import cache, lru_cache
 from importlib.resources import files
@@ -92,6 +92,17 @@ class Noun:
     said: str  # the noun as it was said, in the singular ("table" where a dining table is meant)
     guessed: str = ""  # how it was found, where the catalogue does not have the word; empty where it has it
     others: tuple[str, ...] = ()  # further kinds that the noun may mean; where the thing stands decides
+    kinds: Mapping[str, Category] = field(default_factory=lambda: CATALOGUE, repr=False, compare=False)
+
+    @property
+    def category(self) -> Category:
+        """Its kind, of the catalogue or of the user's own."""
+        return self.kinds[self.kind]
+
+    @property
+    def categories(self) -> tuple[Category, ...]:
+        """All kinds that it may mean."""
+        return tuple(self.kinds[kind] for kind in (self.kind, *self.others))
 
 
 class Lexicon:
@@ -117,7 +128,7 @@ class Lexicon:
                 others = tuple(kind.split("|")[1:]) if told or text in self.own else phrase_index().get(text, ())[1:]
                 ends = grammar().groups.get(single, ())  # "the seats" of a scene are all that it has
                 others = (*others, *dict.fromkeys(there for there in self.there.values() if there.split()[-1] in ends))
-                return Noun(text if told else kind, kind.split("|")[0], single, "", others)
+                return Noun(text if told else kind, kind.split("|")[0], single, "", others, self.kinds)
         return None
 
     def _known(self, text: str) -> str | None:
@@ -146,14 +157,14 @@ class Lexicon:
         text = singular(" ".join(words))
         near = _misspelt(text.replace(" ", "")) if len(text) > 4 else None
         if near:
-            return Noun(text, near, text, "by its spelling")
+            return Noun(text, near, text, "by its spelling", kinds=self.kinds)
         head = text.split()[-1]
         kind = grammar().heads.get(head) or next((k for h, k in grammar().heads.items() if head.endswith(h)), None)
         if kind:
-            return Noun(text, kind, text, f"by its last word, {head!r}")
+            return Noun(text, kind, text, f"by its last word, {head!r}", kinds=self.kinds)
         found = find_category(text).name
         how = "as nothing that is known" if found.startswith("unknown") else "by one of its words"
-        return Noun(text, found, text, how)
+        return Noun(text, found, text, how, kinds=self.kinds)
 
 
 @cache

@@ -49,7 +49,7 @@ class Parser(Relating):
         return self.said
 
     def _on_stop(self, chunk: Chunk | None) -> None:
-        if self.fronted is not None and self.empty and isinstance(self.fronted[1][0], Place):
+        if self.fronted is not None and self.empty and any(isinstance(item, Place) for item in self.fronted[1][:1]):
             self._keep_empty(*self.fronted)  # "South wall: nothing."
         self.spoken = list({mention.thing: mention for mention in (*self.recent, *self.targets)}.values())
         self.before = self.subject or (self.recent if self.fronted else self.group) or self.before
@@ -364,7 +364,7 @@ class Parser(Relating):
 
     def _on_opening(self, chunk: Chunk) -> None:
         """A door or window: it is asked for where a wall is told, or a number, or "a"."""
-        at = self.fronted[1][0] if self.fronted is not None and not self.group else None
+        at = self.fronted[1][0] if self.fronted is not None and self.fronted[1] and not self.group else None
         walls = self._opening_walls() or (at.words if isinstance(at, Place) and at.name == "wall" else ())
         if walls or self.holder or chunk.number or chunk.det == "a":
             self.said.openings.append((replace(place_of(chunk), words=walls), (chunk.start, self._ahead(-1).end)))

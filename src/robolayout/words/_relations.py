@@ -8,7 +8,6 @@ from collections.abc import Sequence
 from dataclasses import replace
 from itertools import dropwhile, pairwise, takewhile
 
-from robolayout.assets import CATALOGUE
 from robolayout.words import _function_words as small
 from robolayout.words._about import About, sat_on
 from robolayout.words._chunk import NOTHING, Chunk
@@ -132,6 +131,8 @@ class Relating(About):
 
     def _on_rel(self, chunk: Chunk) -> None:
         """A relation: find what it is about, then what it leads to."""
+        if chunk.value == "open" and self.verb and self.subject:  # "the table stands free in the middle"
+            chunk = replace(chunk, value="middle")
         aided = chunk.value == "in" and self._in_an_aid()
         if aided or self._of_the_room(chunk) or self._of_an_opening(chunk, self.at - 2):
             return
@@ -388,4 +389,4 @@ class Relating(About):
 
     def _another(self) -> bool:
         noun = self._ahead(1).noun if self._ahead().kind == "and" else None
-        return noun is not None and (CATALOGUE[noun.kind].on_object or self._ahead(2).kind in ("", "stop"))
+        return noun is not None and (noun.category.on_object or self._ahead(2).kind in ("", "stop"))

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Set
 from dataclasses import dataclass, field
 
-from robolayout.assets import CATALOGUE, Category
+from robolayout.assets import Category
 from robolayout.assets.palette import LOOKS
 from robolayout.words._chunk import Chunk
 from robolayout.words._lexicon import Noun
@@ -48,13 +48,13 @@ class Thing:
 
     @property
     def category(self) -> Category:
-        """Its kind in the catalogue."""
-        return CATALOGUE[self.noun.kind]
+        """Its kind, of the catalogue or of the user's own."""
+        return self.noun.category
 
     @property
     def places(self) -> tuple[str, ...]:
         """Where it can be: some of "floor", "wall", "ceiling", "object"."""
-        return CATALOGUE[self.noun.kind].places if self.noun.kind in CATALOGUE else ()
+        return self.category.places
 
     @property
     def look(self) -> tuple[str, ...]:

@@ -35,6 +35,9 @@ LEAST_FAR, LEAST_MIDDLE = 1.5, 0.5
 SEATS = ("chair", "stool", "armchair", "sofa", "bench", "recliner", "seat")
 """Last words of what one sits on."""
 
+VISITING = ("visitor", "guest", "client", "patient")
+"""First words of the seats of those who sit across a desk from whose it is."""
+
 TOPS = ("desk", "table", "counter")
 """Last words of what has a top at which one sits or stands."""
 

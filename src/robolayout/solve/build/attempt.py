@@ -55,6 +55,7 @@ class Costs:
     noise: float = 0.1  # cost by which places vary from one attempt to the next
     mood: float = 0.5  # standard deviation of the logarithm by which wishes vary from one attempt to the next
     otherwise: float = 0.6  # cost of standing in a way that nothing says
+    elsewhere: float = 2.5  # cost of what belongs at a thing and stands at another side of it, or by itself
 
 
 COSTS = Costs()
@@ -387,8 +388,8 @@ def _modes(item: Want) -> Modes:
     """Return the ways of standing of a thing, at what it joins if it joins anything."""
     if item.anchor is None:
         return item.stands
-    alone = {mode: cost + COSTS.otherwise for mode, cost in item.stands.items()} if item.loose else {}
-    return {"join": 0.0} | alone
+    alone = {mode: cost + COSTS.elsewhere for mode, cost in item.stands.items()} if item.loose else {}
+    return {"slot": 0.0, "join": COSTS.elsewhere} | alone
 
 
 def _harm(site: Site) -> float:

@@ -139,14 +139,20 @@ def _before_what_it_faces(site: Site, cluster: Cluster) -> Found:
     return poses, -1
 
 
+def _in_its_slot(site: Site, cluster: Cluster) -> Found:
+    """Return the places at what a thing joins that are its own or another's of those that join it, and their mirror images."""
+    anchor = site.wants[cluster.anchor].anchor or ""
+    slots = [member for member in site.clusters.build(anchor).members[1:] if member.bottom == 0.0]
+    return _at(site, anchor, [place for slot in slots for place in (slot, slot.mirrored())])
+
+
 def _at_its_anchor(site: Site, cluster: Cluster) -> Found:
-    """Return places around what a thing joins: its own there and those of the others, then all along the four sides."""
+    """Return places all along the four sides of what a thing joins."""
     want = site.wants[cluster.anchor]
     anchor = want.anchor or ""
-    here, (hx, hy) = site.spots[anchor].member, (side / 2 for side in site.size(anchor)[:2])
+    hx, hy = (side / 2 for side in site.size(anchor)[:2])
     depth, width, _ = site.size(cluster.anchor)
-    own = [m for m in site.clusters.build(anchor).members[1:] if m.bottom == 0.0]
-    found = [m for own_place in own for m in (own_place, own_place.mirrored())]
+    found: list[Member] = []
     for k, (out, half) in enumerate(((hx, hy), (hy, hx), (hx, hy), (hy, hx))):
         for turn in range(4):
             reach, wide = (depth, width) if (k + turn) % 2 == 0 else (width, depth)
@@ -154,8 +160,13 @@ def _at_its_anchor(site: Site, cluster: Cluster) -> Found:
             for aside in np.linspace(-ends, ends, 2 * math.ceil(ends / WALL_STEP / 2) + 1).tolist():
                 away = out + want.joined.gap + reach / 2
                 found.append(Member("", away, aside, turn * math.pi / 2).moved(0.0, 0.0, k * math.pi / 2))
-    poses = [(m.x, m.y, m.yaw) for m in (m.moved(here.x, here.y, here.yaw) for m in found)]
-    return poses, -1
+    return _at(site, anchor, found)
+
+
+def _at(site: Site, anchor: str, places: Iterable[Member]) -> Found:
+    """Return places in the frame of a thing that has its own."""
+    here = site.spots[anchor].member
+    return [(m.x, m.y, m.yaw) for m in (place.moved(here.x, here.y, here.yaw) for place in places)], -1
 
 
 def targets(site: Site, name: str) -> list[str]:
@@ -169,5 +180,6 @@ _PLACES = {
     "corner": _in_corners,
     "middle": _in_the_middle,
     "facing": _before_what_it_faces,
+    "slot": _in_its_slot,
     "join": _at_its_anchor,
 }
