@@ -157,7 +157,10 @@ def started(code: str, *words: str, **how: Any) -> subprocess.CompletedProcess[s
 
 
 INTERRUPTED = "robolayout: interrupted; nothing was left half-written.\n"
-KILL = "import os, signal\ndef kill(*_):\n    os.kill(os.getpid(), signal.SIGINT)\n"
+KILL = (  # a shell that started the tests in the background has interrupts ignored
+    "import os, signal\nsignal.signal(signal.SIGINT, signal.default_int_handler)\n"
+    "def kill(*_):\n    os.kill(os.getpid(), signal.SIGINT)\n"
+)
 MOMENTS = {
     "in a command": "import robolayout.scene\nrobolayout.scene.agent_names = kill",
     "while the edge is loaded": (
