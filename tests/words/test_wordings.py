@@ -218,3 +218,16 @@ def test_relations_know_the_kinds_of_ones_own(text: str, tmp_path: Path) -> None
 def test_word_salad_is_read() -> None:
     scene, _ = scene_from_sentence("room height between under them, the window, is a table")
     assert any(row.words == "a table" for row in read_words(scene).rows)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "A studio with a desk and a small table with two chairs",
+        "A living room with a sofa and a table with two chairs",
+        "A living room with a sofa. Two chairs stand around a small table.",
+    ],
+)
+def test_a_table_that_has_chairs_is_no_coffee_table(text: str) -> None:
+    wished = scene_from_sentence(text)[1].wished
+    assert wished["chair"] == 2 and {"dining table", "round table"} & wished.keys()

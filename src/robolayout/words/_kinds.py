@@ -46,6 +46,11 @@ def _settle_by_others(link: Link) -> None:
             _take(thing, "bar stool")
         elif thing.noun.kind == "curtain" and (amid or link.relation == "around"):
             _take(thing, "privacy screen")
+    sat_at = link.relation in ("with", "around") and {mention.thing.head for mention in link.subjects} == {"chair"}
+    for thing in to if sat_at else ():
+        if thing.noun.said == "small table" and thing.noun.kind in ("side table", "coffee table"):
+            _take(thing, "dining table")
+            thing.adjectives = (*thing.adjectives, "small")
     watched = link.relation in WATCHING and any(m.thing.head in (*SEATS, "projector") for m in link.subjects)
     for thing in to if watched else ():
         if thing.noun.said == "screen":
