@@ -13,7 +13,7 @@ from robolayout.assets import Category
 from robolayout.planners._knowledge import Role
 from robolayout.planners._wishes import Wishes
 from robolayout.scene import Agent
-from robolayout.words import KIN, VISITING
+from robolayout.words import KIN, visits
 
 COMFORT, AIRY = 0.26, 0.15
 """Shares of the floor up to which further things are added: usually, and in a room that is to be airy."""
@@ -164,7 +164,7 @@ class Added:
 
     def _go_along(self, name: str, count: int) -> None:
         """Add what a wished thing is of no use without; benches and stools are seats of tables, too."""
-        there = {self.known.head(other) for other in self.wished if other.split()[0] not in VISITING}
+        there = {self.known.head(other) for other in self.wished if not visits(other)}
         there |= {"chair"} if head(name) == "table" and SEATS & {*self.wished} else set()
         for other, each in self._companions(name).items():
             spared = other in self.spared or other in self.wishes.reading.unwanted

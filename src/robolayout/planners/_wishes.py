@@ -28,8 +28,8 @@ from robolayout.words import (
     sized,
 )
 
-AT, LOW = ("with", "around"), ("coffee table", "side table")
-"""What says that a table has chairs, and tables that have none."""
+LOW = ("coffee table", "side table")
+"""Tables that have no chairs."""
 
 GENERAL = ("desk", "bed", "table", "chair", "seat", "shelf", "sink", "counter", "mat", "monitor", "scale")
 """Nouns that mean what is usual in a room: a desk of a classroom is a student desk."""
@@ -141,8 +141,7 @@ class Wishes:
         items = [*([room.tables] if room.tables else []), *room.person, *usual]
         if word in items or (word in CATALOGUE and kind != word):
             return kind
-        sat_at = [_things(link.subjects) for link in links if link.relation in AT and thing in _things(link.objects)]
-        low = LOW if any(other.head == "chair" for seats in sat_at for other in seats) else ()
+        low = LOW if thing.sat_at else ()
         fits = (name for name in items if name.split()[-1] == word and name.split()[0] != word and name not in low)
         return next(fits, kind)
 

@@ -62,6 +62,7 @@ class OfflinePlanner:
         names = {written: name for name, written in scene.expressions.items()}
         text = ["# Walls: " + "; ".join(_wall(wall, scene.room) for wall in scene.room.walls)]
         asked = asked_lines(scene, request.asked, about | known)
+        user = [(f"{line}  # asked by the user", subject) for line, subject in asked.items()]
         label, told, topics = "", set[str](), set(map(_topic, asked))
         for name in (name for name in writer.order() if name in about - known):
             role = _owner(name, cast).role
@@ -70,14 +71,14 @@ class OfflinePlanner:
                 why = "" if label in told else f": {_one_line(self.knowledge.groups[label].why)}"
                 text += ["", f"# {_one_line(label)}{why}"]
                 told.add(label)
-            text += [f"{line}  # asked by the user" for line, subject in asked.items() if subject == name]
+            text += [line for line, subject in user if subject == name]
             for line in writer.lines(name):
                 there = {names[written] for written in re.findall(r"\w+\[\d+\]", line) if written in names}
                 if line not in asked and about & there and there <= about | known:
                     # what the user asks for in other figures is only wished for
                     text.append(line.replace("solver.", "solver.wish.", 1) if _topic(line) in topics else line)
         if request.group is None:  # of what has its place already only what the user asks for is said
-            text += [f"{line}  # asked by the user" for line, subject in asked.items() if subject in known]
+            text += [line for line, subject in user if subject in known]
         return "\n".join(text) + "\n"
 
 

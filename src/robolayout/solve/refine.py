@@ -296,7 +296,7 @@ class Solver:
         return Plan(np.concatenate(kept), sum(plan.blocked for plan in plans))
 
     def _restored(self, best: _Best) -> _Best:
-        """Put back where the program had it what was moved without need, if that is worth anything, and square what is askew."""
+        """Put back where it was at first what was moved without need, if that is worth anything, and square what is askew."""
         self._say("restore")
 
         def no_worse(world: Floats) -> bool:

@@ -1,4 +1,4 @@
-"""Restore: what the search moved without need goes back to where the program had it."""
+"""Restore: what the search moved without need goes back to where the program had it, or the room was built."""
 
 from __future__ import annotations
 

@@ -4,7 +4,7 @@ from robolayout.words._lexicon import Lexicon, dressing, grammar
 from robolayout.words._places import COMPASS
 from robolayout.words._said import Link, Mention, Place, Thing
 from robolayout.words._tokens import Measure
-from robolayout.words._ways import VISITING
+from robolayout.words._ways import visits
 from robolayout.words.demands import Demand
 from robolayout.words.ledger import KIN, AskedRow, Wishes, read_words, share_met
 from robolayout.words.reading import Reading, WantedOpening, read_text, sized, spoken_openings, wanted_openings
@@ -13,7 +13,6 @@ from robolayout.words.rooms import Rooms, RoomType, read_rooms
 __all__ = [
     "COMPASS",
     "KIN",
-    "VISITING",
     "AskedRow",
     "Demand",
     "Lexicon",
@@ -35,5 +34,6 @@ __all__ = [
     "share_met",
     "sized",
     "spoken_openings",
+    "visits",
     "wanted_openings",
 ]

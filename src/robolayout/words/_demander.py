@@ -49,12 +49,15 @@ class Demander(AtPlaces):
         self.stacked = {thing for link in links if link.relation == "stacked" for thing in named(link.subjects)}
         asked = [(link, self._asked(link)) for link in links]
         twos = [(link.relation, *two) for link, it in asked for two in it.twos if self._is(two[1], ("desk",))]
-        hosted = any(self._is(asset.name, ways_of.SEATS) and not self._visits(asset.name) for asset in scene.assets)
+        hosted = any(
+            self._is(asset.name, ways_of.SEATS) and not ways_of.visits(asset.category) for asset in scene.assets
+        )
         # desks with a seat behind them
         self.manned = {
             b
             for relation, a, b in twos
-            if self._sits_behind(a, b) and (relation == "behind" or (hosted and self._visits(a)))
+            if self._sits_behind(a, b)
+            and (relation == "behind" or (hosted and ways_of.visits(self._asset(a).category)))
         }
         self.told = ToldRows(scene, [(link, it.subjects, it.others) for link, it in asked])
 
@@ -139,7 +142,7 @@ class Demander(AtPlaces):
         if asset.on_object and (not beside or self._is(b, ways_of.TOPS)):
             return self._on_each(a, b)
         if self._is(a, ways_of.SEATS) and self._is(b, ("desk", "counter", "island")):
-            across = b in self.manned and self._visits(a)
+            across = b in self.manned and ways_of.visits(asset.category)
             return by_ways(ways_of.ACROSS_A_DESK[:1] if across else ways_of.AT_A_DESK, a, b)
         if beside or asset.on_wall:
             return single(stated("near", AssetRef(a), AssetRef(b), ways_of.BESIDE if beside else ways_of.NEAR))
@@ -211,10 +214,6 @@ class Demander(AtPlaces):
     def _sits_behind(self, a: str, b: str) -> bool:
         """Return whether who sits on a thing that is behind another uses that from there."""
         return self._is(a, ways_of.SEATS) and self._is(b, ("desk", "counter")) and not self._is(b, ("reception desk",))
-
-    def _visits(self, name: str) -> bool:
-        """Return whether a thing is a seat of those who sit across a desk from whose it is."""
-        return any(word in ways_of.VISITING for word in self._asset(name).category.split())
 
     def _ways(self, relation: str, a: str, b: str) -> ways_of.Ways:
         """Return what a relation asks for; before a desk behind which somebody sits is the other side of it, where one looks at it."""

@@ -17,10 +17,15 @@ WATCHING = ("front", "facing", "opposite", "around")
 def settle_kinds(parsed: Parsed) -> None:
     """Give things whose noun means several kinds the first kind that can be where they are asked to be."""
     heads = {thing.head for thing in parsed.things if thing.noun.kind != "side table"}
+    alone = "chair" in heads and not heads & {"table", "desk"}
+    for link in parsed.links:
+        if link.relation in ("with", "around") and any(m.thing.head == "chair" for m in link.subjects):
+            for mention in mentions(link.objects):
+                mention.thing.sat_at = True
     for thing in parsed.things:
         noun = thing.noun
-        if noun.said == "small table" and "chair" in heads and not heads & {"table", "desk"}:
-            _take(thing, "round table")
+        if noun.said == "small table" and (alone or thing.sat_at):
+            _take(thing, "round table" if alone else "dining table")
             thing.adjectives = (*thing.adjectives, "small")
         rounded = f"round {'table' if noun.kind in small.TABLES else noun.kind}"
         if small.ROUND & {*thing.adjectives} and rounded in CATALOGUE:
@@ -46,11 +51,6 @@ def _settle_by_others(link: Link) -> None:
             _take(thing, "bar stool")
         elif thing.noun.kind == "curtain" and (amid or link.relation == "around"):
             _take(thing, "privacy screen")
-    sat_at = link.relation in ("with", "around") and {mention.thing.head for mention in link.subjects} == {"chair"}
-    for thing in to if sat_at else ():
-        if thing.noun.said == "small table" and thing.noun.kind in ("side table", "coffee table"):
-            _take(thing, "dining table")
-            thing.adjectives = (*thing.adjectives, "small")
     watched = link.relation in WATCHING and any(m.thing.head in (*SEATS, "projector") for m in link.subjects)
     for thing in to if watched else ():
         if thing.noun.said == "screen":

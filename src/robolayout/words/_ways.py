@@ -35,9 +35,6 @@ LEAST_FAR, LEAST_MIDDLE = 1.5, 0.5
 SEATS = ("chair", "stool", "armchair", "sofa", "bench", "recliner", "seat")
 """Last words of what one sits on."""
 
-VISITING = ("visitor", "guest", "client", "patient")
-"""First words of the seats of those who sit across a desk from whose it is."""
-
 TOPS = ("desk", "table", "counter")
 """Last words of what has a top at which one sits or stands."""
 
@@ -114,3 +111,8 @@ BY_TWOS: Mapping[str, Ways] = {
     "mutual desks": ((("behind", 0.0, TOUCHING), ("align_with", 180.0)),),
 }
 """What the second of every two is asked to be to the first."""
+
+
+def visits(category: str) -> bool:
+    """Return whether such seats are of those who sit across a desk from whose it is: a visitor chair."""
+    return not {"visitor", "guest", "client", "patient"}.isdisjoint(category.split())
