@@ -159,6 +159,9 @@ class Parser(Relating):
         if chunk.value in ("that", "which"):
             self.relative = True
             return
+        if chunk.value.startswith("the row"):
+            self._these(self._meant(chunk.value))
+            return
         if chunk.value.endswith("furniture"):
             clause = takewhile(lambda other: other.kind not in ("stop", "thing"), self.chunks[self.at :])
             placed = any(other.kind == "rel" for other in clause)  # not "the furniture is white"

@@ -300,8 +300,6 @@ class Relating(About):
         place = (replace(chunk, value="in"), [Place("side", (chunk.value,))]) if side else (chunk, objects)
         if self.zone is not None and self.zone.place is None:
             self.zone.place = place
-        elif self.zone is not None and self.zone.place is not None and self.zone.place[1] == place[1]:
-            self._understood(chunk)  # said again
 
     def _fronted_things(self) -> list[Mention]:
         """Return the thing that a relation before this one leads to, while nothing stands there yet."""

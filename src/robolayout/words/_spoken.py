@@ -135,29 +135,40 @@ class Spoken:
         own = named(self.about)
         bearers = [named(k.objects) for k in self.said.links if k.relation == "on" and own & named(k.subjects)]
         own = own.union(*bearers)  # "a camera on a tripod before it"
+        if word.startswith("the row"):
+            rows = next((list(k.subjects) for k in reversed(self.said.links) if k.relation in small.ORDERS), [])
+            others = [m for m in self.recent if several(m) and m.thing not in own | named(rows)]
+            return [*rows, *others[:1]] if word == "the rows" and len(rows) == 1 and rows[0].thing.rows < 2 else rows
         holder = self.holder[0] if self.holder else None
         earlier, to = ([m for m in given if m.thing not in own] for given in (self.recent, self.targets))
         many = holder is not None and several(holder) and holder.det != "each"
-        one = not many if word == "it" else many or len(earlier) < 2
-        of_each = word in small.EVERY and word not in small.SEVERAL and not many
-        if of_each and (led := [m for m in earlier if several(m)]):
+        one = not many if word == "it" else many or word not in small.SEVERAL or len(earlier) < 2
+        if (
+            word in small.EVERY
+            and word not in small.SEVERAL
+            and not many
+            and (led := [m for m in earlier if several(m)])
+        ):
             return led[-1:]  # "a sofa with a table at each end and a lamp on each of them"
         if holder is not None and holder.thing not in own and one:
             return self.holder
         if word in small.SEVERAL:
             held = [m for m in earlier if holder is None or many or m.thing is not holder.thing]
             return self._several_meant(held if len(held) > 1 else earlier, to)
-        fresh = self.told >= self.began or not earlier
-        return (fresh and self._kept(word, relation, own)) or self._last(word, relation, earlier, to)
+        return self._kept(word, relation, own, fresh=self.told >= self.began or not earlier) or self._last(
+            word, relation, earlier, to
+        )
 
-    def _kept(self, word: str, relation: str, own: set[Thing]) -> list[Mention]:
-        """Return what the last "it" stood for where this one stands for the same."""
+    def _kept(self, word: str, relation: str, own: set[Thing], *, fresh: bool) -> list[Mention]:
+        """Return what the last "it" stood for where this one stands for the same; fresh where no thing was named since."""
         side, of = self.contrast
+        if not fresh:
+            return []
         if word == "it" and relation == side and of and of[0].thing not in own:
             return of  # "a lamp to the left of the sofa; to the right of it a plant"
         again = [c.kind for c in self.chunks[max(self.at - 5, 0) : self.at]] == ["pron", "and", "thing", "rel", "pron"]
-        # "an armchair, a lamp behind it and a table beside it", "Under it is a bin, and next to it a cabinet."
-        again = again or (self.by_it and not self.about)
+        again = again and relation != "on"  # "an armchair, a lamp behind it and a table beside it"
+        again = again or (self.by_it and not self.about)  # "Under it is a bin, and next to it a cabinet."
         kept = self.kept if (again or self._keeps(relation)) and named(self.other) <= own else []
         return [m for m in kept if m.thing not in own]
 
