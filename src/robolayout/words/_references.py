@@ -43,10 +43,18 @@ class References(Spoken):
                 self.dealt[known] = pick.stop
             return Mention(known, pick, chunk.det)
         number = 1 if chunk.number is None and chunk.det in ("a", "new", "one") and not chunk.plural else chunk.number
-        number = 2 if chunk.det == "both" and number is None else number
-        joins = number is None and chunk.plural and not chunk.det and self._joined() and not target
-        if joins and self._ahead().kind != "rel" and (self.group[-1].thing.number or 1) > 1:
-            number = self.group[-1].thing.number  # "twenty desks and chairs"
+        if chunk.det == "both" and number is None:
+            number = 2
+        if (
+            number is None
+            and chunk.plural
+            and not chunk.det
+            and self._joined()
+            and not target
+            and self._ahead().kind != "rel"
+        ):
+            before = self.group[-1].thing.number
+            number = before if before and before > 1 else None
         if number is None and chunk.plural and chunk.noun.kind in ONE_EACH and not self.said.things:
             number = self._people() or None  # "an office for four: desks ..."
         definite = chunk.det in ("the", "each", "all", "first", *small.SHARES)
@@ -94,7 +102,7 @@ class References(Spoken):
             first = (count - many if chunk.number else 1) if dealt is None else dealt
             return slice(first, count if chunk.plural else first + 1)
         if chunk.det == "one" or (chunk.number == 1 and not chunk.det and not target):
-            return slice(first, first + many)
+            return slice(first, first + many) if first + many <= count else slice(0, many)
         told = [
             count // 2 if word == "middle" else small.PICKS[word] + count * (small.PICKS[word] < 0)
             for word in (chunk.det, *chunk.adjectives)
@@ -172,12 +180,16 @@ class References(Spoken):
         rows = (self._number_of(wall) if wall.det in ("each", "both") else wall.number or 1 for wall in walls)
         return max(self._number_of(item) - max(item.thing.rows, *rows, 1), 1)
 
-    def _on_both_sides(self, chunk: Chunk, subjects: Sequence[Mention]) -> Chunk:
+    def _on_both_sides(self, chunk: Chunk, subjects: Sequence[Mention], objects: Sequence[Mention | Place]) -> Chunk:
         """Count what stands at each side of something; return the relation, which is "around" for several seats."""
         each = self.having or "each" in chunk.adjectives  # "a sofa and a chair on either side of it" are one each
         for mention in subjects if each else subjects[: len(subjects) == 1]:
-            if mention.per_side(chunk) and mention.thing not in self.dealt:
-                mention.thing.number = 2 * (mention.thing.number or 1)
+            thing = mention.thing
+            if not mention.per_side(chunk) or thing in self.dealt:
+                continue
+            thing.number = 2 * (thing.number or 1)
+            around = [to for to in mentions(objects[:1]) if to.det in ("each", "all")]
+            thing.times = around[0].thing.count if around else 1
         several = all(mention.at_a_table and (mention.thing.number or 0) > 2 for mention in subjects)
         return replace(chunk, value="around") if several else chunk
 
@@ -188,7 +200,8 @@ class References(Spoken):
         last, to = self.said.links[-1] if self.said.links else None, objects[0] if objects else None
         if chunk.value != "wall" or last is None or not isinstance(to, Place) or to.name != "wall":
             return objects
-        if last.subjects != tuple(subjects) or [c.value for c in self.chunks if c.end == chunk.start] != ["middle"]:
+        middle = [c.value for c in self.chunks if c.end == chunk.start] == ["middle"]
+        if not middle or last.subjects != tuple(subjects) or mentions(last.objects):
             return objects
         self.said.links.pop()
         self.said.read.update(range(last.start, last.end))
@@ -243,7 +256,7 @@ class References(Spoken):
             return  # nothing stands at itself, or behind nothing
         subjects = self._counted(chunk, subjects, objects)
         if chunk.value == "flank":
-            chunk = self._on_both_sides(chunk, subjects)
+            chunk = self._on_both_sides(chunk, subjects, objects)
         if chunk.value in ("left", "right") and led and isinstance(led[0], Place) and led[0].name == "side":
             chunk = replace(chunk, value="in")  # a half of the room
         objects = self._at_middle(chunk, subjects, led)

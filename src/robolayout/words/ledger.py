@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from types import MappingProxyType
 
-from shapely import MultiLineString
+from shapely import LineString
 from shapely.geometry.base import BaseGeometry
 
 from robolayout.assets import category_of
@@ -279,21 +279,27 @@ class _Rows:
         """Return the row of a way: the body gets up to each of the things and places that are named."""
         to = " and ".join(as_row.shown(item) for item in link.objects)
         things = tuple(name for item in mentions(link.objects) for name in self.names.get(item.thing, ()))
-        walls = self.scene.room.walls
-        kinds = [item.name for item in link.objects if isinstance(item, Place) and item.name in ("door", "window")]
-        places = [found for kind in kinds if (found := openings(self.scene.room, kind))]
-        sills = [
-            MultiLineString([(walls[o.wall].point(o.offset), walls[o.wall].point(o.offset + o.width)) for o in found])
-            for found in places
+        room = self.scene.room
+        to_openings = [
+            item.name for item in link.objects if isinstance(item, Place) and item.name in ("door", "window")
         ]
-        if not things and not sills:
+        places = [openings(room, kind) for kind in to_openings]
+        if not things and not any(places):
             return as_row.unread(f"{words} {to}".strip(), "nothing that a way can lead to")
 
-        def judge(room: Furnished) -> Finding:
-            if room.walked is None:
+        def judge(furnished: Furnished) -> Finding:
+            if furnished.walked is None:
                 return "not judged", ""
-            ends = [*(footprint(room.scene, room.layout, AssetRef(name)) for name in things), *sills]
-            left = max(0.0, max(end.distance(room.walked) for end in ends) - room.scene.agents[0].radius)
+            ends: list[list[BaseGeometry]] = [
+                [footprint(furnished.scene, furnished.layout, AssetRef(name))] for name in things
+            ]
+            for found in filter(None, places):
+                sills = (
+                    (room.walls[o.wall].point(o.offset), room.walls[o.wall].point(o.offset + o.width)) for o in found
+                )
+                ends.append([LineString(sill) for sill in sills])
+            away = max(min(end.distance(furnished.walked) for end in nearest) for nearest in ends)
+            left = max(0.0, away - furnished.scene.agents[0].radius)
             return met(left <= as_row.UP_TO, f"the way ends {left:.2f} m before it")
 
         return Row(f"{words} {to}".strip(), "way", "a way for the body", judge, things)
