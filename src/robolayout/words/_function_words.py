@@ -22,7 +22,6 @@ SETS, SCALES, COMPARING, FREE = (_WORDS[name] for name in ("sets", "scales", "co
 PICKING, RELATING, NAMED = (_WORDS[name] for name in ("picking", "relating", "named"))
 JOINED, ALIKE, EVERY, SEVERAL = (_ROWS[name] for name in ("joined", "alike", "every", "several"))
 SHARES: dict[str, float] = _DATA["shares"]
-PICKS = {word: int(place) for place, words in _DATA["picks"].items() for word in words.split()}
 ADDING, ROUND_IT = _WORDS["adding"], _WORDS["round_it"]
 NEARNESS, LAID, ZONES, OF_THE_ROOM = (_WORDS[name] for name in ("nearness", "laid", "zones", "of_the_room"))
 ORDERS, ALONE, PETS, CLOSE, SHARED = (_WORDS[name] for name in ("orders", "alone", "pets", "close", "shared"))

@@ -34,18 +34,19 @@ class Grammar:
     functions: frozenset[str]  # words for what a room is to be good for
     parts: Mapping[str, str]  # names of places of the room by noun
     walls: Mapping[str, str]  # names of walls by adjective
-    sizes: Mapping[str, Sequence[float]]  # factors on depth, width and height by adjective
+    sizes: Mapping[str, tuple[float, float, float]]  # factors on depth, width and height by adjective
     rooms: Mapping[str, float]  # factors on the floor of a room by adjective
-    models: Mapping[str, Sequence[float]]  # sizes in metres by adjective and kind ("king bed")
+    models: Mapping[str, tuple[float, float, float]]  # sizes in metres by adjective and kind ("king bed")
     kinds: Mapping[str, str]  # nearest kinds of nouns that the catalogue does not have
-    groups: Mapping[str, Sequence[str]]  # last words of the kinds that nouns for several of them mean
+    groups: Mapping[str, tuple[str, ...]]  # last words of the kinds that nouns for several of them mean
     heads: Mapping[str, str]  # nearest kinds by last word
     places: Mapping[str, str]  # nearest room types of places by last word
     airy: frozenset[str]  # words of rooms whose floor stays largely free
-    cosy: Mapping[str, Sequence[str]]  # words of rooms with something soft and a warm light, and which things are that
-    exclusive: Sequence[Sequence[str]]  # attributes of which a thing has one
+    # words of rooms with something soft and a warm light, and which things are that
+    cosy: Mapping[str, tuple[str, ...]]
+    exclusive: tuple[frozenset[str], ...]  # attributes of which a thing has one
     floors: Mapping[str, str]  # names of floors by what is said of them, or of the style of the room
-    dress: Mapping[str, Sequence[str]]  # phrases that say how much is to lie about, by how much
+    dress: Mapping[str, tuple[str, ...]]  # phrases that say how much is to lie about, by how much
 
     @property
     def adjectives(self) -> frozenset[str]:
@@ -64,15 +65,25 @@ def grammar() -> Grammar:
     phrases |= {phrase: ("and", phrase) for phrase in (*JOINED, *ALIKE)}
     phrases |= {phrase: ("rel", name) for name, given in data["relations"].items() for phrase in given}
     phrases = {phrase.replace(" the ", " "): named for phrase, named in phrases.items()} | phrases  # "on left side of"
-    as_they_are = ("sizes", "rooms", "models", "kinds", "groups", "heads", "places", "cosy", "floors", "dress")
     return Grammar(
         phrases,
-        fillers=frozenset(map(plain, data["fillers"]["words"])),
-        parts={word: name for name, words in data["parts"].items() for word in words},
-        walls={word: name for name, words in data["wall_words"].items() for word in words},
-        exclusive=tuple(data["exclusive"].values()),
-        **{name: frozenset(data[name]["words"]) for name in ("styles", "functions", "airy")},
-        **{name: data[name] for name in as_they_are},
+        frozenset(map(plain, data["fillers"]["words"])),
+        frozenset(data["styles"]["words"]),
+        frozenset(data["functions"]["words"]),
+        {word: name for name, words in data["parts"].items() for word in words},
+        {word: name for name, words in data["wall_words"].items() for word in words},
+        {word: (d, w, h) for word, (d, w, h) in data["sizes"].items()},
+        data["rooms"],
+        {word: (d, w, h) for word, (d, w, h) in data["models"].items()},
+        data["kinds"],
+        {word: tuple(kinds) for word, kinds in data["groups"].items()},
+        data["heads"],
+        data["places"],
+        frozenset(data["airy"]["words"]),
+        {key: tuple(words) for key, words in data["cosy"].items()},
+        tuple(frozenset(words) for words in data["exclusive"].values()),
+        data["floors"],
+        {key: tuple(words) for key, words in data["dress"].items()},
     )
 
 

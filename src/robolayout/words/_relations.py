@@ -47,7 +47,8 @@ class Relating(About):
         if chunk.kind == "people" and self.group and chunk.number and self._previous(chunk) == "for":
             self.group[-1].thing.people = chunk.number
             if self.group[-1].thing.head in (*TOPS, *SEATS):
-                self.said.facts.append(replace(chunk, kind="seats"))
+                self.said.facts[-1:] = [chunk, replace(chunk, kind="seats")]
+        self.broken = True
 
     def _on_with(self, chunk: Chunk) -> None:
         self.refusing = False
@@ -67,8 +68,12 @@ class Relating(About):
             self.holder = [self.subject[0] if clause else self.group[-1]]
         self.having = True
         self.verb = self.listed = False
-        several = self.holder and self.holder[0].thing.count > 1
-        if several and self.holder[0].det in ("each", "both", "all", *small.SHARES):
+        self.broken = True
+        if (
+            self.holder
+            and self.holder[0].det in ("each", "both", "all", *small.SHARES)
+            and self.holder[0].thing.count > 1
+        ):
             alike = [thing for thing in self.said.things if thing.noun.said == self.holder[0].thing.noun.said]
             if self.holder[0].pick is None:
                 self.holder = [Mention(thing, None, self.holder[0].det) for thing in alike]
@@ -82,21 +87,24 @@ class Relating(About):
             inner = (
                 self.group[-1:] if chunk.kind == "with" and had else []
             )  # "each has a desk with a lamp, and a chair"
+            if chunk.kind == "with" and (not inner or self._ahead(1).kind != "thing"):
+                break
             self.at += chunk.kind == "with"
             chunk = self._ahead()
             if chunk.kind == "comma" and first < len(self.said.things) and not self._list_goes_on(had):
                 break
+            if chunk.kind == "and" and self._ahead(1).kind not in ("thing", ""):
+                break
             self.at, had = self.at + 1, had + (chunk.kind == "thing")
             own = holder and chunk.noun is not None and chunk.noun.kind == holder[0].thing.noun.kind
             self._understood(*[chunk] * bool(own))  # "six workstations, each consisting of a desk and a chair"
-            if chunk.kind != "thing" or own:
-                continue
-            mention = self._mention(chunk)
-            if mention.thing in self.said.things[first:]:
-                one = holder and holder[0].det != "each" and mention.thing.number is None  # "both have lamps"
-                mention.thing.times, mention.thing.number = times, 1 if one else mention.thing.number
-                self.group = [mention]
-                if inner or holder:
+            if chunk.kind == "thing" and not own:
+                mention = self._mention(chunk)
+                if mention.thing in self.said.things[first:]:
+                    one = holder and holder[0].det != "each" and mention.thing.number is None  # "both have lamps"
+                    mention.thing.times, mention.thing.number = times, 1 if one else mention.thing.number
+                    self.group = [mention]
+                if (inner or holder) and mention.thing in self.said.things[first:]:
                     self.said.links.append(Link("with", (mention,), tuple(inner or holder), chunk.start, chunk.end))
 
     def _list_goes_on(self, had: int) -> bool:
@@ -127,17 +135,22 @@ class Relating(About):
         things = tuple(mentions(found)) if chunk.value == "light" else ()
         named = {"light": "lit"}.get(chunk.value, chunk.value)
         self.said.links.append(Link(named, things, () if things else tuple(found), chunk.start, chunk.end))
+        self.broken = True
         return True
 
     def _on_rel(self, chunk: Chunk) -> None:
         """A relation: find what it is about, then what it leads to."""
         if chunk.value == "open" and self.verb and self.subject:  # "the table stands free in the middle"
             chunk = replace(chunk, value="middle")
+        if chunk.value == "opposite" and self.said.links and self.said.links[-1].relation == "mutual":
+            chunk = replace(chunk, value="separated")  # "facing each other across a table"
         aided = chunk.value == "in" and self._in_an_aid()
         if aided or self._of_the_room(chunk) or self._of_an_opening(chunk, self.at - 2):
             return
         if self._of_people() or self._of_what_is_unknown():
             self._objects(chunk)
+            if self._ahead(-1).kind == "rel" and self._ahead(-2).kind == "function":
+                self._understood(chunk)  # "an aisle down the middle"
             return
         every = self._ahead(-2).value in small.EVERY
         subjects = self._subjects(chunk.value)
@@ -199,6 +212,8 @@ class Relating(About):
         if chunk.value == "between":  # "1 m between the bed and the wardrobe"
             chunk, subjects = replace(chunk, value="apart"), mentions(objects)[:1]
             objects = [item for item in objects if item not in subjects]
+        if not objects and not subjects and chunk.value in ("left", "right") and self.fronted is not None:
+            objects = list(self.fronted[1])  # "beside the sofa, on the right, a lamp"
         subjects, objects = self._held_by(chunk, subjects, objects)
         for item in objects if every and subjects else ():
             told = chunk.value in REVERSED and item.det != "the"  # "each surrounded by six chairs"
@@ -278,10 +293,11 @@ class Relating(About):
             self._put_zone(chunk, objects)
         elif not subjects or (objects and self._turned_round(first, self.at)):
             place = self.fronted[1][:1] if self.fronted is not None and not self.group else []
-            self.also = self.fronted if place and isinstance(place[0], Place) else self.also
+            also = None if self.group else self.also
+            self.also = self.fronted if place and isinstance(place[0], Place) else also
             self.fronted = (chunk, list(objects))
             self.group, self.acted = [], []
-        else:
+        elif subjects:
             there = self._walls(subjects, objects[0]) if objects and isinstance(objects[0], Place) else []
             self._link(replace(chunk, value="atwalls") if there else chunk, subjects, [*objects, *there])
             self.acted = subjects
@@ -300,6 +316,8 @@ class Relating(About):
         place = (replace(chunk, value="in"), [Place("side", (chunk.value,))]) if side else (chunk, objects)
         if self.zone is not None and self.zone.place is None:
             self.zone.place = place
+        elif self.zone is not None and self.zone.place is not None and self.zone.place[1] == place[1]:
+            self._understood(chunk)  # said again
 
     def _fronted_things(self) -> list[Mention]:
         """Return the thing that a relation before this one leads to, while nothing stands there yet."""
@@ -376,9 +394,13 @@ class Relating(About):
             moved.append(self._mention(self._ahead(-1)))
         if chunk.value == "flanked" and self._ahead().value in ("left", "right"):
             self.holder, self.group, self.verb = subjects[:1], moved, False  # "flanked by a lamp on the left and ..."
+            self.acted = []
             self._understood(chunk)
         elif moved and subjects:
             named = Chunk("rel", chunk.start, chunk.end, REVERSED[chunk.value])
+            for mention in moved:
+                if chunk.value == "holds" and len(subjects) == 1 and subjects[0].det == "each":
+                    mention.thing.times = subjects[0].thing.count
             each = chunk.value == "holds" and subjects[0].det == "each"  # "each holding a lamp and a clock"
             for together in [[mention] for mention in moved] if each else [moved]:
                 self._link(named, together, list(subjects))

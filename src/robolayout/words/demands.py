@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 from robolayout.constraints import RELATIONS, AssetRef, Outcome, Relation
@@ -24,8 +25,8 @@ class Demand:
         """Return how the demand stands: the outcome of the worst statement of its best way."""
         if self.exact is not None:
             return self.exact.check(scene, layout)
-        worst = [max((said.check(scene, layout) for said in way), key=_excess) for way in self.ways]
-        return min(worst, key=_excess)
+        worst = [_worst([relation.check(scene, layout) for relation in way]) for way in self.ways]
+        return min(worst, key=lambda outcome: (not outcome.met, outcome.value - outcome.limit))
 
     def names(self) -> frozenset[str]:
         """Return the names of all assets that it is about."""
@@ -33,8 +34,8 @@ class Demand:
         return frozenset(found | set(self.exact.asset_names() if self.exact else ()))
 
 
-def _excess(outcome: Outcome) -> tuple[bool, float]:
-    return not outcome.met, outcome.value - outcome.limit
+def _worst(outcomes: Sequence[Outcome]) -> Outcome:
+    return max(outcomes, key=lambda outcome: (not outcome.met, outcome.value - outcome.limit))
 
 
 def stated(relation: str, *arguments: object) -> Relation:
