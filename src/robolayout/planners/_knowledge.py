@@ -11,7 +11,7 @@ import re
 import tomllib
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
-from functools import cache
+from functools import cache, cached_property
 from importlib.resources import files
 from pathlib import Path
 from typing import Any
@@ -28,17 +28,10 @@ from robolayout.planners._shapes import among, build, table, tables
 from robolayout.scene import Asset
 from robolayout.words.rooms import RoomType
 
-SLOTS = {
-    "beside": "beside",
-    "flank": "at the side of",
-    "front": "in front of",
-    "behind": "behind",
-    "around": "around",
-    "on": "on top of",
-    "setting": "laid out on",
-}
-"""Ways of standing at something else, in words."""
-STANDS = ("wall", "corner", "middle", "facing", "grid", "hang", "ceiling", "rug")  # ways of standing by itself
+DATA: Mapping[str, Any] = tomllib.loads((files("robolayout.planners") / "knowledge" / "_slots.toml").read_text("utf-8"))
+"""What is said by how things stand, by what roles prefer, and what stands for what."""
+SLOTS: Mapping[str, str] = DATA["words"]  # ways of standing at something else, in words
+STANDS = tuple(slot for slot in DATA["slots"] if slot not in SLOTS)  # ways of standing by itself
 GROUP_KEYS = ("label", "order", "why")  # what the head of a file says
 TOP_KEYS = (*HEADS, *GROUP_KEYS, "thing", "rooms")
 """What a file may hold at its top, beside records; `label`, `order`, `why` and `thing` are the older form."""
@@ -122,67 +115,31 @@ class Head:
     why: str = ""
 
 
-@dataclass(frozen=True)
 class Knowledge:
-    """All roles and groups."""
-
-    roles: Mapping[str, Role]  # roles by name
-    groups: Mapping[str, Head]  # groups by label
-    things: tuple[Category, ...] = ()  # categories of the user's own
-    rooms: tuple[RoomType, ...] = ()  # room types of the user's own
-
-    def recognised(self, asset: Asset) -> Category | None:
-        """Return which of the user's own categories an asset is, if any."""
-        if not self.things:
-            return None
-        found = find_category(
-            asset.category, description=asset.description, size=asset.size, place=place_of(asset), own=self.things
-        )
-        return found if found in self.things else None
-
-
-def load_knowledge(extra: Iterable[Path] = ()) -> Knowledge:
-    """Read the built-in files and then `extra` ones, whose names replace built-in ones but not each other's."""
-    return _parse(tuple((str(path), _CHECK.read_text(path, "the knowledge file", MAX_BYTES)) for path in extra))
-
-
-def usual_say(slot: str) -> tuple[str, ...]:
-    """Return what is said of a thing by its slot at another, where its role says nothing else."""
-    return tuple(_slots()[slot]["say"])
-
-
-@cache
-def _slots() -> Mapping[str, Any]:
-    text = (files("robolayout.planners") / "knowledge" / "_slots.toml").read_text("utf-8")
-    return tomllib.loads(text)["slots"]
-
-
-@cache
-def _parse(texts: tuple[tuple[str, str], ...]) -> Knowledge:
-    reading = _Reading()
-    for data in BUILT_IN.values():
-        if "group" in data:
-            reading.add({key: data[key] for key in HEADS if key in data})
-    for category in CATALOGUE.values():
-        reading.cast(category)
-    for name, text in texts:
-        data = _CHECK.parse(toml_value, text, f"the knowledge file {name}")
-        try:
-            reading.add(data, name)
-        except InputError as error:
-            raise SceneError(f"the knowledge file {name}: {error}") from None
-    return reading.knowledge()
-
-
-class _Reading:
-    """Collects what one file after the other says; the user's own replace built-in ones."""
+    """All roles and groups; those of the user's own take the place of built-in ones of the same name."""
 
     def __init__(self) -> None:
         self.roles: dict[str, Role] = {}
         self.groups: dict[str, Head] = {}
-        self.things: dict[str, Category] = {}
-        self.rooms: dict[str, RoomType] = {}
-        self.files: dict[tuple[str, str], str] = {}  # which of the user's own files says what
+        self.things: dict[str, Category] = {}  # categories of the user's own
+        self.rooms: dict[str, RoomType] = {}  # room types of the user's own
+        self._files: dict[tuple[str, str], str] = {}  # which of the user's own files says what
+
+    @cached_property
+    def playing(self) -> Mapping[str, Role]:
+        """Roles by the names of what plays them."""
+        return {name: role for role in self.roles.values() for name in role.names}
+
+    @cached_property
+    def by_word(self) -> Mapping[str, Role]:
+        """Roles by the words that name what plays them, also at the end of a longer name."""
+        return {word: role for role in self.roles.values() for word in role.words}
+
+    def recognised(self, asset: Asset) -> Category | None:
+        """Return which of the user's own categories an asset is, if any."""
+        own, words = tuple(self.things.values()), asset.description
+        found = find_category(asset.category, description=words, size=asset.size, place=place_of(asset), own=own)
+        return found if found in own else None
 
     def cast(self, thing: Category) -> None:
         """Let a thing play the role that its record names."""
@@ -198,8 +155,8 @@ class _Reading:
         head = data.get("group", {key: data[key] for key in GROUP_KEYS if key in data})
         group = build(Head, head, "its group" if "group" in data else "its top")
         self.groups[group.label] = group
-        found = [_role(entry, group) for entry in _named(data.get("role", []), "role")]
-        self.roles |= {role.name: role for role in found}
+        roles = [_role(entry, group) for entry in _named(data.get("role", []), "role")]
+        self.roles |= {role.name: role for role in roles}
         entries = [*_named(data.get("thing", []), "thing"), *_named(records, "thing")]
         things = [own_thing(entry, group.label) for entry in entries]
         for thing in things:
@@ -207,16 +164,39 @@ class _Reading:
             self.cast(thing)
         rooms = own_rooms(data.get("rooms", {}), self.things)
         self.rooms |= {room.name: room for room in rooms}
-        for kind, said in (("role", found), ("thing", things), ("room type", rooms)) if file else ():
+        for kind, said in (("role", roles), ("thing", things), ("room type", rooms)) if file else ():
             for entry in said:
-                if (other := self.files.setdefault((kind, entry.name), file)) != file:
+                if (other := self._files.setdefault((kind, entry.name), file)) != file:
                     raise SceneError(f"the {kind} {entry.name!r} is in {other} too; rename one, or leave one file out.")
 
-    def knowledge(self) -> Knowledge:
-        """Return everything that was read, once its roles are known to fit together."""
-        for role in self.roles.values():
-            _check(role, self.roles)
-        return Knowledge(self.roles, self.groups, tuple(self.things.values()), tuple(self.rooms.values()))
+
+def load_knowledge(extra: Iterable[Path] = ()) -> Knowledge:
+    """Read the built-in files and then `extra` ones, whose names replace built-in ones but not each other's."""
+    return _parse(tuple((str(path), _CHECK.read_text(path, "the knowledge file", MAX_BYTES)) for path in extra))
+
+
+def usual_say(slot: str) -> tuple[str, ...]:
+    """Return what is said of a thing by its slot at another, where its role says nothing else."""
+    return tuple(DATA["slots"][slot]["say"])
+
+
+@cache
+def _parse(texts: tuple[tuple[str, str], ...]) -> Knowledge:
+    found = Knowledge()
+    for data in BUILT_IN.values():
+        if "group" in data:
+            found.add({key: data[key] for key in HEADS if key in data})
+    for category in CATALOGUE.values():
+        found.cast(category)
+    for name, text in texts:
+        data = _CHECK.parse(toml_value, text, f"the knowledge file {name}")
+        try:
+            found.add(data, name)
+        except InputError as error:
+            raise SceneError(f"the knowledge file {name}: {error}") from None
+    for role in found.roles.values():
+        _check(role, found.roles)
+    return found
 
 
 def _named(entries: object, where: str) -> list[dict[str, Any]]:
@@ -229,16 +209,13 @@ def _named(entries: object, where: str) -> list[dict[str, Any]]:
 
 def _role(entry: dict[str, Any], group: Head) -> Role:
     where = f"the role {entry.get('name', 'without a name')!r}"
-    stands = entry.get("stands", ["wall"])
-    said = {mode: tuple(_slots().get(mode, {}).get("say", ())) for mode in STANDS}
-    said |= table(entry.get("say", {}), f"{where}: say")
+    usual = {mode: usual_say(mode) for mode in STANDS}
     fixed: dict[str, Any] = {
         "group": group.label,
         "rank": entry.get("rank", group.order),
-        "stands": stands,
         "joins": tuple(_join(item, where) for item in tables(entry.get("joins", []), f"{where}: joins")),
         "face": build(Face, entry.get("face", {"roles": ()}), f"{where}: face"),
-        "say": said,
+        "say": usual | table(entry.get("say", {}), f"{where}: say"),
     }
     role = build(Role, {**entry, **fixed}, where)
     among(f"way of standing in {where}:", role.stands, STANDS)
@@ -247,7 +224,7 @@ def _role(entry: dict[str, Any], group: Head) -> Role:
 
 def _join(item: dict[str, Any], where: str) -> Join:
     among(f"slot in {where}:", [str(item.get("slot", ""))], SLOTS)
-    return build(Join, {**_slots()[item["slot"]], **item}, f"{where}: joins")
+    return build(Join, {**DATA["slots"][item["slot"]], **item}, f"{where}: joins")
 
 
 def _check(role: Role, roles: Mapping[str, Role]) -> None:

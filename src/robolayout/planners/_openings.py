@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence, Set
+from collections.abc import Iterator, Sequence, Set
 from dataclasses import dataclass
 
 import numpy as np
@@ -37,12 +37,11 @@ class Openings:
 
 OPENINGS = Openings()
 
-Kinds = Mapping[str, Category]
 Opening = dict[str, float]
 
 
 def openings(
-    room: Room, wishes: Wishes, kinds: Kinds, wide: float, rng: np.random.Generator, *, varied: bool
+    room: Room, wishes: Wishes, wide: float, rng: np.random.Generator, *, varied: bool
 ) -> tuple[list[Opening], list[Opening]]:
     """Return doors near the ends of long walls (varied: somewhere in any wall), and windows in other walls.
 
@@ -53,9 +52,7 @@ def openings(
     usual = order[int(rng.integers(0, len(order) if varied else min(2, len(order))))]
     along = float(rng.random()) if varied else float(rng.random() < 0.5)
     asked = _asked(wishes.reading, "door", OPENINGS.most_doors, 1 + int(room.area / OPENINGS.door_each))
-    full, high = (
-        {i for word in _held(wishes, kinds, least) for i in _meant(room, word)} for least in (0.0, OPENINGS.sill)
-    )
+    full, high = ({i for word in _held(wishes, least) for i in _meant(room, word)} for least in (0.0, OPENINGS.sill))
     doors: list[Opening] = []
     for number, item in enumerate(i for i in asked for _ in range(i.count)):
         fits = [i for i in order if room.walls[i].length > wide and i not in {d["wall"] for d in doors}] or order
@@ -64,7 +61,7 @@ def openings(
         wall = _wall(room, item.wall, fits[start:] + fits[:start])
         spare = room.walls[wall].length - wide
         first = min(OPENINGS.flanked if wishes.reading.flanked_door else OPENINGS.aside, spare / 2)
-        offset = first + (1.0 - _aside(room, wall, along, _corners(wishes, kinds), full)) * (spare - 2 * first)
+        offset = first + (1.0 - _aside(room, wall, along, _corners(wishes), full)) * (spare - 2 * first)
         width, height = min(wide, room.walls[wall].length), min(2.05, room.wall_height - OPENINGS.lintel)
         doors.append({"wall": wall, "offset": round(max(offset, 0.0), 2), "width": width, "height": height})
     more = max(1 + int(rng.integers(0, 2)), int(room.area / OPENINGS.window_each))
@@ -81,29 +78,29 @@ def _asked(reading: Reading, kind: str, most: int, usual: int) -> list[WantedOpe
     return asked or [WantedOpening(kind, min(max(usual, few), many))]
 
 
-def _placed(wishes: Wishes, kinds: Kinds, name: str) -> Iterator[tuple[Set[str], list[Category]]]:
+def _placed(wishes: Wishes, name: str) -> Iterator[tuple[Set[str], list[Category]]]:
     """Yield the walls, by compass, that tell a wall or corner, and the kinds that are asked to stand there."""
     walls = grammar().walls
     for link in wishes.reading.parsed.links:
-        there = [kinds[mention.thing.noun.kind] for mention in link.subjects]
+        there = [wishes.kinds[mention.thing.noun.kind] for mention in link.subjects]
         for place in link.objects:
             if isinstance(place, Place) and place.name == name:
                 yield {walls[word] for word in place.words if walls.get(word) in COMPASS}, there
 
 
-def _held(wishes: Wishes, kinds: Kinds, least: float) -> Set[str]:
+def _held(wishes: Wishes, least: float) -> Set[str]:
     """Return the walls at which something is asked to stand; with a height what is lower counts only if it hangs."""
     return {
         word
-        for words, there in _placed(wishes, kinds, "wall")
+        for words, there in _placed(wishes, "wall")
         if any((kind.on_floor and kind.size[2] >= least) or (least and kind.on_wall) for kind in there)
         for word in words
     }
 
 
-def _corners(wishes: Wishes, kinds: Kinds) -> list[Set[str]]:
+def _corners(wishes: Wishes) -> list[Set[str]]:
     """Return the corners, by the compass of their two walls, in which something on the floor is asked to stand."""
-    told = _placed(wishes, kinds, "corner")
+    told = _placed(wishes, "corner")
     return [words for words, there in told if len(words) == 2 and any(kind.on_floor for kind in there)]
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Mapping, Sequence, Set
+from collections.abc import Mapping, Sequence, Set
 from dataclasses import dataclass, replace
 
 from robolayout.assets import Category, category_of
@@ -40,11 +40,10 @@ class Cast:
 
 def cast_scene(scene: Scene, knowledge: Knowledge) -> dict[str, Cast]:
     """Give every asset a role and, where its role asks for it, an asset to join; in the order of the scene."""
-    finder = _role_finder(knowledge)
     cast: dict[str, Cast] = {}
     for asset in scene.assets:
         category = category_of(asset)
-        cast[asset.name] = Cast(asset, finder(asset, category), category)
+        cast[asset.name] = Cast(asset, _role(knowledge, asset, category), category)
     taken: dict[tuple[str, str], int] = {}
     covered: dict[str, float] = {}
     for name in sorted(cast, key=lambda n: (cast[n].role.rank, -_footprint(cast[n].asset))):
@@ -78,24 +77,13 @@ def _footprint(asset: Asset) -> float:
     return asset.size[0] * asset.size[1]
 
 
-def _role_finder(knowledge: Knowledge) -> Callable[[Asset, Category], Role]:
-    """Return a function that finds an asset's role: by its words, by the catalogue's name for it, by its shape."""
-    by_name = {name: role for role in knowledge.roles.values() for name in role.names}
-    by_word = {word: role for role in knowledge.roles.values() for word in role.words}
-
-    def find(asset: Asset, category: Category) -> Role:
-        words, own = _normal(asset.category), knowledge.recognised(asset)
-        for name in (words, own.name if own else "", category.name):
-            role = by_name.get(name)
-            if role is not None and _fits(role, asset):
-                return role
-        for size in range(len(words.split()), 0, -1):
-            role = by_word.get(" ".join(words.split()[-size:]))
-            if role is not None and _fits(role, asset):
-                return role
-        return knowledge.roles[fallback(asset)]
-
-    return find
+def _role(knowledge: Knowledge, asset: Asset, category: Category) -> Role:
+    """Return an asset's role: by its words, by the catalogue's name for it, by its last words, by its shape."""
+    words, own = _normal(asset.category).split(), knowledge.recognised(asset)
+    ends = [" ".join(words[i:]) for i in range(len(words))]
+    names = (" ".join(words), own.name if own else "", category.name)
+    roles = [*map(knowledge.playing.get, names), *map(knowledge.by_word.get, ends)]
+    return next((role for role in roles if role and _fits(role, asset)), knowledge.roles[fallback(asset)])
 
 
 def _normal(text: str) -> str:

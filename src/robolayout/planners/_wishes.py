@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections import Counter
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 
@@ -12,8 +12,10 @@ from robolayout._errors import SceneError
 from robolayout._reading import LIMITS
 from robolayout.assets import CATALOGUE, Category
 from robolayout.assets.palette import LOOKS
+from robolayout.planners._knowledge import DATA, Knowledge, Role
 from robolayout.scene import FLAT_HEIGHT
 from robolayout.words import (
+    KIN,
     Lexicon,
     Link,
     Measure,
@@ -24,6 +26,7 @@ from robolayout.words import (
     RoomType,
     Thing,
     grammar,
+    read_rooms,
     read_text,
     sized,
 )
@@ -54,6 +57,17 @@ ELBOWS = 0.6  # metres of a table's edge for who sits there
 SEATS, AT_A_LINE = ("stool", "chair"), ("front", "by", "with", "wall", "next", "around")
 """Last words of what sits before a counter, and relations that say so."""
 
+VAGUE = ("stand", "rack", "machine", "board")  # last words that do not say what a thing is for
+
+LARGEST = 8.0  # how many times as large as usual a room is up to which the number of its zones and people grows
+INSTEAD: Mapping[str, str] = DATA["instead"]
+
+
+def head(name: str) -> str:
+    """Return the word that says what a thing is: "bed" for a bunk bed."""
+    last = name.split()[-1]
+    return KIN.get(name, INSTEAD.get(name, name if last in VAGUE else last))
+
 
 @dataclass(frozen=True)
 class Wishes:
@@ -64,6 +78,7 @@ class Wishes:
     guesses: tuple[str, ...]  # what was guessed, one sentence each
     rooms: Rooms  # the room types, bodies and corners that are known
     lexicon: Lexicon  # the kinds of things that are known
+    roles: Mapping[str, Role]  # what things are for, by the names of things
 
     @cached_property
     def things(self) -> Mapping[str, int]:
@@ -90,6 +105,45 @@ class Wishes:
             kind = self._as_wished(thing)
             found.setdefault(kind.name, kind)
         return {name: kind for name, kind in found.items() if kind != self.lexicon.kinds.get(name)}
+
+    @cached_property
+    def kinds(self) -> Mapping[str, Category]:
+        """All kinds of things, those of the user's own too, as they were asked for."""
+        return {**self.lexicon.kinds, **self.named}
+
+    @property
+    def times_usual(self) -> float:
+        """How many times as large as usual the room is said to be, 1 where nothing is said."""
+        usual, area = math.prod(self.room.size), self.reading.measure("area")
+        asked = math.prod(self.reading.size) if self.reading.size else area[0] if area else self.reading.scale * usual
+        return min(asked / usual, LARGEST)
+
+    def floor(self, size: tuple[float, float]) -> float:
+        """Return the floor in m2 of the room with a width and depth in metres."""
+        return size[0] * size[1] * (0.75 if self.reading.shape == "L-shaped" else 1.0)
+
+    def floor_area(self, things: Mapping[str, int]) -> float:
+        """Return the floor in m2 that things take."""
+        kinds = ((self.kinds[name], count) for name, count in things.items())
+        standing = (pair for pair in kinds if pair[0].on_floor and pair[0].size[2] > 0.03)
+        return sum(kind.size[0] * kind.size[1] * count for kind, count in standing)
+
+    def head(self, name: str) -> str:
+        """Return the word that says what a thing is, by what it is like."""
+        return head(self.kinds[name].like or name)
+
+    def role(self, name: str) -> Role | None:
+        """Return what a thing is for, None where no role says so."""
+        return self.roles.get(self.kinds[name].like or name)
+
+    def useless(self, name: str, present: Collection[str]) -> bool:
+        """Return whether a thing belongs at others of which none is there: a chair without a table, a candlestick without a top."""
+        if self.kinds[name].places == ("object",) and not any(role.top for role in map(self.role, present) if role):
+            return True
+        role = self.role(name)
+        wanted = {other for join in role.joins if not join.loose for other in join.of} if role else set[str]()
+        there = {self.roles[other].name for other in present if other in self.roles}
+        return bool(wanted) and "*" not in wanted and not wanted & there
 
     @property
     def looks(self) -> Mapping[str, str]:
@@ -127,11 +181,8 @@ class Wishes:
         A desk of a classroom is a student desk. A chair at a table, at a wall or by the door is what people there sit on, and
         nothing else that stands in such a room.
         """
-        said, room, kind = (
-            [word for word in thing.noun.said.split() if word not in SIZE_WORDS],
-            self.room,
-            thing.noun.kind,
-        )
+        said = [word for word in thing.noun.said.split() if word not in SIZE_WORDS]
+        room, kind = self.room, thing.noun.kind
         if len(said) != 1 or said[0] not in GENERAL or thing.noun.guessed or set(thing.adjectives) - SIZE_WORDS - LOOKS:
             return kind
         (word,), links = said, self.reading.parsed.links
@@ -202,13 +253,14 @@ class Wishes:
         return depth, width, height
 
 
-def read_wishes(text: str, rooms: Rooms, own: tuple[Category, ...] = ()) -> Wishes:
+def read_wishes(text: str, own: Knowledge) -> Wishes:
     """Return what a text asks of a new room; one that is empty, or names neither a room nor a thing, is refused."""
     if not text.strip():
         raise SceneError('the sentence is empty; say for example "a bedroom for two with a desk, 4 x 5 m".')
     if len(text) > LIMITS.text:
         raise SceneError(f"the sentence has {len(text)} characters; say it in at most {LIMITS.text}.")
-    lexicon = Lexicon(rooms, own)
+    rooms = read_rooms(own.rooms.values())
+    lexicon = Lexicon(rooms, tuple(own.things.values()))
     reading = read_text(text, lexicon)
     room, guesses = _room(reading, rooms)
     guesses += [
@@ -216,7 +268,7 @@ def read_wishes(text: str, rooms: Rooms, own: tuple[Category, ...] = ()) -> Wish
         for thing in reading.parsed.things
         if thing.noun.guessed and not thing.noun.kind.startswith("unknown")
     ]
-    return Wishes(reading, room, tuple(guesses), rooms, lexicon)
+    return Wishes(reading, room, tuple(guesses), rooms, lexicon, own.playing)
 
 
 def _room(reading: Reading, rooms: Rooms) -> tuple[RoomType, list[str]]:

@@ -7,10 +7,12 @@ from __future__ import annotations
 
 import math
 import re
+from collections import Counter
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
+from robolayout.planners._knowledge import DATA
 from robolayout.planners._roles import Cast, chain, passage
 from robolayout.scene import Scene
 
@@ -35,12 +37,6 @@ class Saying:
 
 
 SAYING = Saying()
-
-WISHES = {
-    "centre": "mid_wall({a})", "corner": "corner({a})", "window": "at_window({a})", "tuck": "snug({a})",
-    "middle": "centered_on({a}, room)",
-}  # fmt: skip
-"""What the preferences of roles are as wishes, beside those of `Writer._wishes`."""
 
 
 @dataclass(frozen=True)
@@ -81,7 +77,7 @@ class Writer:
         join, weight = item.join, SAYING.joined if item.join.loose else None
         values = self._values(item) | self._about(item)
         yield from self._fill(join.say, values, weight)
-        yield from self._on_top(item)
+        yield from self._fill(DATA["at"].get(join.slot, {}).get(join.at, ()), values, 1.0)
         peers = self._peers(item)
         if peers[-1] == item.name:
             yield from self._fill(join.all, values | {"items": self._list(peers)}, weight)
@@ -93,26 +89,6 @@ class Writer:
     def _peers(self, item: Cast) -> list[str]:
         """Return what joins the same thing in the same role, in order."""
         return [n for n, one in self.cast.items() if one.anchor == item.anchor and one.role is item.role]
-
-    def _on_top(self, item: Cast) -> Iterator[str]:
-        """Yield where on a top a thing belongs: toward an edge, or beside the plate of its guest."""
-        join, a, b = item.join, self._name(item.name), self._name(item.anchor)
-        halves = {"hand": ("front", "left"), "side": ("left",), "front": ("front",), "back": ("back",)}
-        if join.slot == "on":
-            for side in halves.get(join.at, ()):
-                yield _wish(f'toward({a}, {b}, "{side}")')
-        plates = [n for n, one in self.cast.items() if one.anchor == item.anchor and one.join.at == "plate"]
-        number = self._peers(item).index(item.name)
-        said = {
-            "left": "left_of({a}, {p}, 0, 0.3)",
-            "right": "right_of({a}, {p}, 0, 0.3)",
-            "far left": "left_of({a}, {p}, 0.06, 0.4)",
-            "far right": "right_of({a}, {p}, 0.06, 0.4)",
-            "glass": 'next_to({a}, {p}, "beside", 0.4, 0.06)',
-            "beyond": "in_front_of({a}, {p}, 0, 0.3)",
-        }
-        if join.slot == "setting" and join.at in said and number < len(plates):
-            yield _wish(said[join.at].format(a=a, p=self._name(plates[number])))
 
     def _about(self, item: Cast) -> dict[str, str]:
         """Return what a template may say about an asset and the one that it joins."""
@@ -131,10 +107,11 @@ class Writer:
         if turned is not None:
             away = 180.0 if join.faces == "away" else 0.0
             values["angle"] = f"{0.0 if join.faces == 'same' else (turned + away) % 360.0:g}"
-        seats = [n for n, one in self.cast.items() if one.anchor == anchor.name and one.role.name.endswith("seat")]
-        if number < len(seats):
-            values["seat"] = self._name(seats[number])
-        return values
+        guests = [one for one in self.cast.values() if one.anchor == anchor.name]
+        seats = [one.name for one in guests if one.role.name.endswith("seat")]
+        plates = [one.name for one in guests if one.join.at == "plate"]
+        found = {key: self._name(n) for key, names in (("seat", seats), ("p", plates)) for n in names[number:][:1]}
+        return values | found
 
     def _taken(self, item: Cast, number: int) -> float:
         """Return metres that others may take between a thing and what it joins."""
@@ -214,78 +191,57 @@ class Writer:
 
     def _off_the_floor(self, item: Cast, mode: str) -> Iterator[str]:
         """Yield where a thing hangs or lies."""
-        a, values = self._name(item.name), self._values(item)
-        over = self._playing(*item.role.above)
-        owner = None if item.name in self.asked else self._owner(item)
+        a, values, over = self._name(item.name), self._values(item), self._playing(*item.role.above)
+        owner = None if item.name in self.asked else self._owners.get(item.name)
         if owner is not None:
             values["b"] = self._name(owner)
-        if mode == "hang":
-            yield from self._fill(item.role.say["hang"], values)
-            if item.role.height:
-                yield _wish(f"mounted_on({a}, None, {item.role.height:g})")
-            if over:
-                yield _wish(_either([f"above({a}, {self._name(n)})" for n in over]))
-            return
-        if mode == "ceiling" and owner is not None and self._shared(item, owner):
-            yield f"solver.above({a}, {self._name(owner)})"
-            return
-        if mode == "rug" and owner is not None:
-            side = {"bed": "front", "narrow bed": "left", "child bed": "left"}.get(self.cast[owner].role.name)
-            if side:
-                yield _wish(f'toward({a}, {self._name(owner)}, "{side}")')
+            alike = (n for n, one in self.cast.items() if one.role is item.role and n != item.name)
+            if mode == "ceiling" and any(self._owners.get(n) == owner for n in alike):
+                yield f"solver.above({a}, {values['b']})"
+                return
+            if mode == "rug":
+                yield from self._fill(DATA["at"]["rug"].get(self.cast[owner].role.name, ()), values, 1.0)
         yield from self._fill(item.role.say[mode], values)
+        if mode == "hang" and item.role.height:
+            yield _wish(f"mounted_on({a}, None, {item.role.height:g})")
+        if mode == "hang" and over:
+            yield _wish(_either([f"above({a}, {self._name(n)})" for n in over]))
         if mode == "ceiling" and owner is None:
             yield _wish(f"centered_on({a}, room)")
 
-    def _shared(self, item: Cast, owner: str) -> bool:
-        """Whether something else hangs over the same thing."""
-        others = [o for o in self.cast.values() if o.role is item.role and o.name != item.name and o.role.above]
-        return any(self._owner(other) == owner for other in others)
-
-    def _owner(self, item: Cast) -> str | None:
-        """Return what a thing hangs over or lies under: of the first with as few others as any, each rug another one."""
-        equal = [n for n, one in self.cast.items() if _modes(one)[0] == _modes(item)[0] and one.role.above]
-        taken: dict[str, int] = {}
-        for name in equal:
-            its = self._playing(*self.cast[name].role.above)
-            free = [n for n in its if not (taken.get(n) and _modes(item)[0] == "rug")]
-            best = min(free, key=lambda n: (taken.get(n, 0), its.index(n)), default=None)
-            if name == item.name:
-                return best
-            if best is not None:
-                taken[best] = taken.get(best, 0) + 1
-        return None
+    @cached_property
+    def _owners(self) -> Mapping[str, str]:
+        """What things hang over or lie under: of the first with as few others as any, each rug another one."""
+        taken, found = Counter[tuple[str, str]](), dict[str, str]()
+        for name, one in self.cast.items():
+            mode = _modes(one)[0]
+            free = [n for n in self._playing(*one.role.above) if not (mode == "rug" and taken[mode, n])]
+            if free:
+                found[name] = min(free, key=lambda n: taken[mode, n])
+                taken[mode, found[name]] += 1
+        return found
 
     # what it would like
 
     def _wishes(self, item: Cast) -> Iterator[str]:
         """Yield what a role prefers about the place of a thing."""
-        a = self._name(item.name)
-        prefer = dict(item.role.prefer)
+        prefer, room = dict(item.role.prefer), self.scene.room
         if _modes(item)[0] == "corner":
             prefer["corner"] = prefer.get("corner", 0.0) + SAYING.first
+        longest = max(room.walls, key=lambda w: (round(w.length, 3), -w.index))
+        values = {
+            "a": self._name(item.name),
+            "at_wall": "mounted_on" if _modes(item)[0] == "hang" else "against_wall",
+            "longest": f"walls[{longest.index}]",
+        }
+        there = {"window": bool(room.windows), "door": bool(room.doors)}
         for key, weight in prefer.items():
-            if key.startswith(("near ", "far ")):
-                yield from self._grouped(item, key, weight)
-                continue
-            text = WISHES.get(key, "").format(a=a)
-            if key == "window" and not self.scene.room.windows:
-                continue
-            if key == "door" and self.scene.room.doors:
-                text, weight = f"by_door({a})", -weight
-            if key == "long":
-                hangs = "mounted_on" if _modes(item)[0] == "hang" else "against_wall"
-                wall = max(self.scene.room.walls, key=lambda w: (round(w.length, 3), -w.index))
-                text = f"{hangs}({a}, walls[{wall.index}])"
-            if text:
-                yield _wish(text, weight)
-
-    def _grouped(self, item: Cast, key: str, weight: float) -> Iterator[str]:
-        word, role = key.split(" ", 1)
-        others = [n for n in self._playing(role) if n != item.name]
-        if others:
-            call = f"grouped({self._name(item.name)}, {self._list(others)})"
-            yield _wish(call, weight if word == "near" else -weight)
+            word, _, role = key.partition(" ")
+            others = [n for n in self._playing(role) if n != item.name]
+            if others or (not role and there.get(word, True)):
+                away = word in ("door", "far")
+                wished = DATA["prefer"].get(word, ())
+                yield from self._fill(wished, values | {"others": self._list(others)}, -weight if away else weight)
 
     def _cleared(self, item: Cast) -> Iterator[str]:
         """Yield the sides that a thing wants clear, where its kind does not say it."""

@@ -17,13 +17,13 @@ import numpy as np
 from robolayout._errors import SceneError
 from robolayout.assets import CATALOGUE, Category
 from robolayout.assets.palette import PALETTES
-from robolayout.planners._added import COMFORT, LARGER, SEATS, SPARE, Added, Known, both, floor, head, times_usual
+from robolayout.planners._added import COMFORT, LARGER, SEATS, SPARE, Added, both
 from robolayout.planners._knowledge import load_knowledge
 from robolayout.planners._openings import openings
 from robolayout.planners._own import own_sides
-from robolayout.planners._wishes import Wishes, read_wishes
+from robolayout.planners._wishes import Wishes, head, read_wishes
 from robolayout.scene import FLAT_HEIGHT, Agent, Room, Scene, load_agent, scene_from_dict, variable_name
-from robolayout.words import RoomType, dressing, read_rooms
+from robolayout.words import RoomType, dressing
 
 
 @dataclass(frozen=True)
@@ -109,31 +109,27 @@ def scene_from_sentence(
         SceneError: The sentence is empty, names no room, or wishes more than the room can hold.
     """
     rng = np.random.default_rng((seed, variant))
-    own = load_knowledge(Path(path) for path in knowledge)
-    rooms = read_rooms(own.rooms)
-    wishes = read_wishes(text, rooms, own.things)
-    roles = {name: role for role in own.roles.values() for name in role.names}
-    known = Known({**CATALOGUE, **{thing.name: thing for thing in own.things}, **wishes.named}, roles)
-    wished = _wished(wishes, known)
+    wishes = read_wishes(text, load_knowledge(Path(path) for path in knowledge))
+    wished = _wished(wishes)
     stretch = float(np.exp(rng.uniform(-SIZES.stretch, SIZES.stretch))) if variant else 1.0
-    size = _room_size(wishes, wished, known, stretch)
-    _possible(wishes, wished, size, known)
+    size = _room_size(wishes, wished, stretch)
+    _possible(wishes, wished, size)
     agent = wishes.reading.agent or wishes.room.agent
     bodies = agents or ([load_agent(agent)] if agent else [])
-    added = Added(wishes, wished, floor(wishes, size), known, fill, bodies).things(rng)
-    height = _height(wishes, [known.kinds[name] for name in (*wished, *added)])
-    assumed = (*wishes.guesses, *_assumed(wishes, size, height, [known.kinds[name] for name in wished]))
+    added = Added(wishes, wished, wishes.floor(size), fill, bodies).things(rng)
+    height = _height(wishes, [wishes.kinds[name] for name in (*wished, *added)])
+    assumed = (*wishes.guesses, *_assumed(wishes, size, height, [wishes.kinds[name] for name in wished]))
     kind = wishes.room.of or wishes.room.name
     found = Understanding(
         text.strip(), kind, size, wishes.reading.shape, height, agent, wished, added, assumed, wishes.ignored
     )
-    return scene_from_dict(_scene(found, wishes, known.kinds, rng, varied=variant > 0)), found
+    return scene_from_dict(_scene(found, wishes, rng, varied=variant > 0)), found
 
 
-def _wished(wishes: Wishes, known: Known) -> dict[str, int]:
+def _wished(wishes: Wishes) -> dict[str, int]:
     """Return what was asked for, with what the people in the sentence bring along."""
     room, wished = wishes.room, Counter(wishes.things)
-    people = _people(wishes, wished, known)
+    people = _people(wishes, wished)
     heads = {head(name) for name in wished}
     heads |= {"chair"} if SEATS & {*wished} and "table" in heads else set()
     heads |= {"seat"} if heads & (LOUNGE | {"chair"}) else set()
@@ -143,7 +139,7 @@ def _wished(wishes: Wishes, known: Known) -> dict[str, int]:
     audience = bool(rows & {"chair", "seat", "pew"}) and "desk" not in heads  # it sits before a board, at no desks
     heads |= {"desk", "chair"} if audience else set()
     seated = "table" in heads if room.tables else heads & LOUNGE
-    if seated and not wishes.reading.people and known.useless("chair", {**wished, **room.base}):
+    if seated and not wishes.reading.people and wishes.useless("chair", {**wished, **room.base}):
         heads.add("chair")  # who is here sits elsewhere: on sofas, or on stools at high tables
     for name, count in room.person.items():
         if people and head(name) not in heads and name not in wishes.reading.unwanted:
@@ -158,12 +154,12 @@ def _wished(wishes: Wishes, known: Known) -> dict[str, int]:
 
 def _usual_people(wishes: Wishes) -> int:
     """Return for how many such a room usually is; where each has a table of his own, for more in a larger one."""
-    room, times = wishes.room, times_usual(wishes)
+    room, times = wishes.room, wishes.times_usual
     grows = times >= LARGER and (bool(room.tables) or len(room.person) > 1)
     return round(room.people * times) if grows else room.people
 
 
-def _people(wishes: Wishes, wished: dict[str, int], known: Known) -> int:
+def _people(wishes: Wishes, wished: dict[str, int]) -> int:
     """Return for how many the room is: as said, else as many as have a seat, a desk or a bed; seats are wished for."""
     room = wishes.room
     if wishes.seats:
@@ -180,7 +176,7 @@ def _people(wishes: Wishes, wished: dict[str, int], known: Known) -> int:
         taken = {"desk"}  # who sits at the table also has a desk
     tables = {name: count for name, count in wished.items() if room.tables and head(name) == "table"}
     seats = sum(
-        count * (2 if max(known.kinds[name].size[:2]) <= SIZES.for_two else 4) for name, count in tables.items()
+        count * (2 if max(wishes.kinds[name].size[:2]) <= SIZES.for_two else 4) for name, count in tables.items()
     )
     return max((count for name, count in wished.items() if head(name) in taken), default=seats or _usual_people(wishes))
 
@@ -190,16 +186,16 @@ def _chair(room: RoomType) -> str:
     return next((name for name in room.person if head(name) == "chair"), "chair")
 
 
-def _room_size(wishes: Wishes, wished: Mapping[str, int], known: Known, stretch: float) -> tuple[float, float]:
+def _room_size(wishes: Wishes, wished: Mapping[str, int], stretch: float) -> tuple[float, float]:
     """Return width and depth in metres: as asked, else usual ones, enlarged for what is wished, one side stretched."""
     if wishes.reading.size is not None:
         return wishes.reading.size
     width, depth = wishes.room.size
-    longest = max((max(known.kinds[name].size[:2]) for name in wished if known.kinds[name].on_floor), default=0.0)
+    longest = max((max(wishes.kinds[name].size[:2]) for name in wished if wishes.kinds[name].on_floor), default=0.0)
     given = wishes.reading.measure("area")
     usual = width * depth * wishes.reading.scale
     share = SIZES.aisled if any(link.rows for link in wishes.reading.parsed.links) else SIZES.roomy
-    area = given[0] if given else max(usual, known.floor_area({**wishes.room.base, **wished}) / share)
+    area = given[0] if given else max(usual, wishes.floor_area({**wishes.room.base, **wished}) / share)
     if wishes.reading.shape == "L-shaped":
         area *= 1.2
     ratio = 1.0 if wishes.reading.square else stretch * width / depth
@@ -208,20 +204,20 @@ def _room_size(wishes: Wishes, wished: Mapping[str, int], known: Known, stretch:
         return (round(width, 2), round(area / width, 2))
     depth = max(area / width, longest + SIZES.walkway)
     short, long = sorted((width, depth))
-    for across, ahead in _blocks(wishes, known):  # the longer side of a room holds the longer side of a block
+    for across, ahead in _blocks(wishes):  # the longer side of a room holds the longer side of a block
         short, long = (max(pair) for pair in zip((short, long), sorted((across, ahead)), strict=True))
     width, depth = (short, long) if width <= depth else (long, short)
     return (round(width, 2), round(depth, 2))
 
 
-def _blocks(wishes: Wishes, known: Known) -> Iterator[tuple[float, float]]:
+def _blocks(wishes: Wishes) -> Iterator[tuple[float, float]]:
     """Yield how wide and how deep blocks of rows that are told are in metres, with what stands before them and ways around."""
     links = wishes.reading.parsed.links
     for link in links:
         things = [mention.thing for mention in link.subjects] if link.relation == "rows" and link.rows > 1 else []
         for thing in things[:1]:
             kind = wishes.kind(thing)
-            depth, width, height = known.kinds[kind].size
+            depth, width, height = wishes.kinds[kind].size
             each = math.ceil(thing.count / link.rows)
             aisle = SIZES.between if kind.endswith(("desk", "table")) else SIZES.aisle * (height >= FLAT_HEIGHT)
             ahead = link.rows * (depth + aisle) + SIZES.around + SIZES.before
@@ -229,9 +225,9 @@ def _blocks(wishes: Wishes, known: Known) -> Iterator[tuple[float, float]]:
             yield (ahead if watching else each * width + 2 * SIZES.around), ahead  # what they watch may be at any wall
 
 
-def _possible(wishes: Wishes, wished: Mapping[str, int], size: tuple[float, float], known: Known) -> None:
+def _possible(wishes: Wishes, wished: Mapping[str, int], size: tuple[float, float]) -> None:
     """Refuse wishes that no arrangement can meet."""
-    there, need = floor(wishes, size), known.floor_area(wished)
+    there, need = wishes.floor(size), wishes.floor_area(wished)
     if need > SIZES.fullest * there:
         things = ", ".join(f"{count} x {name}" for name, count in wished.items())
         raise SceneError(
@@ -239,7 +235,7 @@ def _possible(wishes: Wishes, wished: Mapping[str, int], size: tuple[float, floa
             f"{SIZES.fullest:.0%} can be furnished; ask for a room of at least {math.ceil(need / SIZES.fullest)} m2 or for fewer things."
         )
     for name in wished:
-        kind = known.kinds[name]
+        kind = wishes.kinds[name]
         if kind.on_floor and (max(kind.size[:2]) > max(size) or min(kind.size[:2]) > min(size)):
             raise SceneError(
                 f"a {name} of {kind.size[0]:g} x {kind.size[1]:g} m does not fit into a room of {size[0]:g} x {size[1]:g} m; "
@@ -269,9 +265,7 @@ def _assumed(wishes: Wishes, size: tuple[float, float], height: float, wished: I
             yield f"The walls are {height:g} m high, so {kind.name} is {height - SPARE:g} m high, not {kind.size[2]:g} m."
 
 
-def _scene(
-    found: Understanding, wishes: Wishes, kinds: Mapping[str, Category], rng: np.random.Generator, *, varied: bool
-) -> dict[str, object]:
+def _scene(found: Understanding, wishes: Wishes, rng: np.random.Generator, *, varied: bool) -> dict[str, object]:
     """Return the scene file's content for what was understood."""
     width, depth = found.size
     outline = [(0.0, 0.0), (width, 0.0), (width, depth), (0.0, depth)]
@@ -280,7 +274,7 @@ def _scene(
     if rng.random() < 0.5:
         outline = [(width - x, y) for x, y in reversed(outline)]
     wide = 3.0 if found.agent == "forklift" else 0.95 if width * depth < 30 else 1.1
-    doors, windows = openings(Room(tuple(outline), found.height), wishes, kinds, wide, rng, varied=varied)
+    doors, windows = openings(Room(tuple(outline), found.height), wishes, wide, rng, varied=varied)
     style = wishes.reading.style or str(rng.choice([palette.wood.name for palette in PALETTES]))
     covering = wishes.reading.floor or str(rng.choice(wishes.room.floors))
     things = both(found.wished, found.added)
@@ -295,7 +289,9 @@ def _scene(
         },
         "doors": doors,
         "windows": windows,
-        "assets": _assets([(kinds[name], count) for name, count in things.items()], found.height, style, wishes, rng),
+        "assets": _assets(
+            [(wishes.kinds[name], count) for name, count in things.items()], found.height, style, wishes, rng
+        ),
     }
     if found.agent is not None:
         scene["agent"] = found.agent
