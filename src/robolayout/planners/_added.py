@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
@@ -40,14 +39,13 @@ class Added:
         wishes = self.wishes
         self.room = wishes.room
         self.fill = AIRY if wishes.reading.airy else self.fill
-        self.asked = {wishes.head(name) for name in wishes.things} | (
-            {"bed"} & {wishes.head(name) for name in self.wished}
-        )
+        self.asked = {*map(wishes.head, wishes.things), *({"bed"} & {*map(wishes.head, self.wished)})}
         self.lasts = {name.split()[-1] for name in wishes.things} | wishes.general
         links = [link for link in wishes.reading.parsed.links if link.relation in ("on", "above")]
         laid = {mention.thing.noun.kind for link in links for mention in link.subjects}
         borne = {kind for kind in laid if "floor" not in wishes.kinds[kind].places}
-        self.spared = {other for name in borne for other in self._companions(name)}  # their bearer is said
+        self.spared = wishes.reading.unwanted.union(*map(self._companions, borne))  # their bearer is said
+        self.named = self.spared | self.wished.keys()
         self.ceiling = (wishes.reading.measure("height") or (math.inf,))[0]
         self.found: dict[str, int] = {}
 
@@ -68,14 +66,7 @@ class Added:
 
     def _named(self, name: str) -> bool:
         """Whether a thing was named, like it or not."""
-        last, wishes = name.split()[-1], self.wishes
-        return (
-            name in wishes.reading.unwanted
-            or name in self.spared
-            or last in self.lasts
-            or self.wishes.head(name) in self.asked
-            or name in self.wished
-        )
+        return name in self.named or name.split()[-1] in self.lasts or self.wishes.head(name) in self.asked
 
     def _fits(self, group: Mapping[str, int], limit: float) -> bool:
         low = all(self.wishes.kinds[name].size[2] + SPARE <= self.ceiling for name in group)
@@ -102,8 +93,7 @@ class Added:
         there = {self.wishes.head(other) for other in self.wished if not visits(other)}
         there |= {"chair"} if head(name) == "table" and SEATS & {*self.wished} else set()
         for other, each in self._companions(name).items():
-            spared = other in self.spared or other in self.wishes.reading.unwanted
-            if not spared and head(other) not in there | self.wishes.general:
+            if other not in self.spared and head(other) not in there | self.wishes.general:
                 self.found[other] = self.found.get(other, 0) + count * each
 
     def _add(self, name: str, most: int) -> None:
@@ -135,7 +125,4 @@ class Added:
 
 def both(*lists: Mapping[str, int]) -> dict[str, int]:
     """Return what several lists hold together."""
-    total = Counter[str]()
-    for one in lists:
-        total.update(one)
-    return dict(total)
+    return {name: sum(other.get(name, 0) for other in lists) for one in lists for name in one}

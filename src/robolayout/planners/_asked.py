@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence, Set
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from robolayout.constraints import AssetRef, Relation
@@ -40,8 +40,7 @@ GAPS = Gaps()
 LEFT = ("left_of({a}, {b}, {gap}, {most})", "align_with({a}, {b})")
 BEHIND = ("behind({a}, {b}, {gap}, {most})", "align_with({a}, {b})")
 PARTING = ("left_of({a}, {b}, {gap}, {most})", "align_with({a}, {b}, 90)")
-BACK_TO_BACK = ('centered_on({a}, {b}, "side")',)
-"""What is said of a thing at the left of another, behind it, at its left to part it from the next one, and back to back with it."""
+"""What is said of a thing at the left of another, behind it, and at its left to part it from the next one."""
 
 AROUND = Join("around", (), gap=GAPS.seated, all=("around({items}, {b}, gap={gap})",))  # how seats stand around a thing
 IN_THE_LIGHT = -3.0  # weight of the wish of what something hangs above to stand at a window
@@ -53,13 +52,10 @@ def asked_lines(scene: Scene, demands: Sequence[Demand], known: set[str]) -> dic
     What a thing on a wall is to hang above stands at a wall, and rather beside its windows, unless words put it elsewhere.
     """
     program, found, under = Program(expressions=scene.expressions), list[Relation](), list[str]()
-    placed = {name for demand in demands for name in subjects(demand)}
-    for demand in demands:
-        if not demand.names() <= known:
-            continue
+    placed = subjects(demands)
+    for demand in (demand for demand in demands if demand.names() <= known):
         found += demand.ways[0] if len(demand.ways) == 1 else [AnyOf(demand.ways)]
-        if demand.exact is not None:
-            found.append(demand.exact)
+        found += [demand.exact] if demand.exact is not None else []
         pairs = (one.asset_names() for one in demand.ways[0] if one.name == "above")
         hung = (low for high, low in pairs if scene.by_name[high].on_wall and scene.by_name[low].on_floor)
         under += [name for name in hung if name not in placed]
@@ -76,26 +72,27 @@ def join_as_asked(cast: Mapping[str, Cast], demands: Sequence[Demand], passage: 
     of so many metres open.
     """
     found = dict(cast)
-    wanted = {name: join for demand in demands for name, join in _joins(demand, cast, passage)}
-    chains = _chains(cast, demands, passage)
-    # what is around a table comes after it
-    tops = {anchor for anchor, join in chains.values() if join.slot == "around"}
-    wanted = {name: join for name, join in wanted.items() if name not in tops} | chains
-    placed = {first for demand in demands for first in subjects(demand)}
-    for name in placed - set(wanted):
-        item = found[name]
-        others = {other for demand in demands if name in subjects(demand) for other in demand.names()}
-        hung = any(r.name == "mounted_on" for demand in demands if name in subjects(demand) for r in demand.ways[0])
-        if hung or (item.anchor not in others and not _only_on(item)):
-            found[name] = item.alone
-    seats = (name for name in wanted if cast[name].role.name.endswith("seat"))
-    told = {anchor for anchor, join in (wanted[name] for name in seats) if join.slot == "around"}
-    for name in found.keys() - set(wanted):
+    chains = dict(_chains(cast, demands, passage))
+    tops = {
+        anchor for anchor, join in chains.values() if join.slot == "around"
+    }  # what is around a table comes after it
+    joins = dict(one for demand in demands for one in _joins(demand, cast, passage))
+    wanted = {name: join for name, join in joins.items() if name not in tops} | chains
+    for name in subjects(demands) - wanted.keys():
+        about = [demand for demand in demands if name in subjects([demand])]
+        elsewhere = not any(found[name].anchor in demand.names() for demand in about) and not _only_on(found[name])
+        if elsewhere or any(relation.name == "mounted_on" for demand in about for relation in demand.ways[0]):
+            found[name] = found[name].alone
+    seated = [wanted[name] for name in wanted if cast[name].role.name.endswith("seat")]
+    told = {anchor for anchor, join in seated if join.slot == "around"}
+    for name in found.keys() - wanted.keys():
         if found[name].join.slot == "around" and found[name].anchor in told:
             found[name] = found[name].alone  # that table has its own seats
     for a, b in (pair for demand in demands for relation in demand.ways[0] if len(pair := relation.asset_names()) == 2):
-        if a in found and b in found:
-            _loosen(b, a, found, set(wanted))
+        # what usually stands in a row that ends at what is asked to be placed by one of the row stands by itself
+        last = next((one for one in chain(b, found) if found[one].anchor == a), "")
+        if last and found[last].join.loose and last not in wanted:
+            found[last] = found[last].alone
     for name, (anchor, join) in wanted.items():
         found[name] = found[name].alone
         if name not in chain(anchor, found):
@@ -103,137 +100,115 @@ def join_as_asked(cast: Mapping[str, Cast], demands: Sequence[Demand], passage: 
     return found
 
 
-def _loosen(name: str, root: str, cast: dict[str, Cast], held: Set[str]) -> None:
-    """Let what usually stands in a row that ends at `root` stand by itself, where `root` is asked to be placed by `name`."""
-    last = next((one for one in chain(name, cast) if cast[one].anchor == root), "")
-    if last and cast[last].join.loose and last not in held:
-        cast[last] = cast[last].alone
-
-
 def _only_on(item: Cast) -> bool:
     return item.asset.on_object and not item.asset.on_floor
 
 
-def subjects(demand: Demand) -> set[str]:
+def subjects(demands: Iterable[Demand]) -> set[str]:
     """Return what is asked to be somewhere; looking at something moves nothing."""
     return {
         name
+        for demand in demands
         for relation in demand.ways[0]
         if relation.name not in ("point_towards", "under", "above")
         for name in relation.asset_names()[: None if relation.name == "in_rows" else 1]
     }
 
 
-def cornered(demand: Demand) -> set[str]:
+def cornered(demands: Iterable[Demand]) -> set[str]:
     """Return what is asked to be in one corner and no other."""
-    only = demand.ways[0] if len(demand.ways) == 1 else ()
+    only = (relation for demand in demands if len(demand.ways) == 1 for relation in demand.ways[0])
     return {relation.asset_names()[0] for relation in only if relation.name == "corner"}
 
 
-def _joins(demand: Demand, cast: Mapping[str, Cast], passage: float) -> list[tuple[str, tuple[str, Join]]]:
-    """Return (name, (anchor, join)) for what a demand puts at another thing."""
-    found: list[tuple[str, tuple[str, Join]]] = []
-    relations = {relation.name: relation for relation in demand.ways[0]}
-    around = "near" in relations and "point_towards" in relations
+def _beside(gap: float, say: tuple[str, ...]) -> Join:
+    return Join("beside", (), gap=gap, loose=True, say=say)
+
+
+def _joins(demand: Demand, cast: Mapping[str, Cast], passage: float) -> Iterator[tuple[str, tuple[str, Join]]]:
+    """Yield (name, (anchor, join)) for what a demand puts at another thing."""
     for relation in demand.ways[0]:
         names = relation.asset_names()
-        if len(names) != 2 or not all(name in cast for name in names):
+        if len(names) != 2:
             continue
-        a, b = cast[names[0]], cast[names[1]]
-        if relation.name != "on_top_of":
-            b = _bearer(b, cast)
-        join = _join(relation, a, b, passage, around=around, turned=getattr(relations.get("align_with"), "angle", 0.0))
+        a, b = (cast[name] for name in names)
+        while b.join.on_top and relation.name != "on_top_of":
+            b = cast[b.anchor]  # who sits before a screen sits before its stand
+        join = _join(relation, a, b, {one.name: one for one in demand.ways[0]}, passage)
         if join is not None:
             said = join.say or join.all or (len(demand.ways) == 1 and b.name == names[1])
-            found.append((a.name, (b.name, join if said else replace(join, say=usual_say(join.slot)))))
-    return found
+            yield a.name, (b.name, join if said else replace(join, say=usual_say(join.slot)))
 
 
-def _bearer(item: Cast, cast: Mapping[str, Cast]) -> Cast:
-    """Return what a thing stands on, down to the floor: who sits before a screen sits before its stand."""
-    while item.join.on_top:
-        item = cast[item.anchor]
-    return item
-
-
-def _chains(cast: Mapping[str, Cast], demands: Sequence[Demand], passage: float) -> dict[str, tuple[str, Join]]:
-    """Return the joins of two things that face each other, and of what is between two of which nothing else is asked together."""
-    found: dict[str, tuple[str, Join]] = {}
+def _chains(
+    cast: Mapping[str, Cast], demands: Sequence[Demand], passage: float
+) -> Iterator[tuple[str, tuple[str, Join]]]:
+    """Yield the joins of two things that face each other, and of what is between two of which nothing else is asked together."""
     between = [demand.exact.asset_names() for demand in demands if demand.exact is not None]
-    between = [names for names in between if len(names) == 3 and cast.keys() >= {*names}]
-    pairs = [(demand, *one.asset_names()) for demand in demands for one in demand.ways[0] if one.name == "facing_pair"]
+    between = [names for names in between if len(names) == 3]
     for names in between:
         others = (one for demand in demands for one in demand.ways[0] if demand.names() != frozenset(names))
         placing = (one for one in others if one.name not in ("align_with", "point_towards", "next_to", "near"))
         if not any({*names[1:]} <= {*one.asset_names()} for one in placing):
-            found |= _side_by_side([cast[name] for name in names], passage)
+            yield from _side_by_side([cast[name] for name in names], passage)
+    pairs = [(demand, *one.asset_names()) for demand in demands for one in demand.ways[0] if one.name == "facing_pair"]
     for demand, a, b in pairs:
-        held = any(a in subjects(other) for other in demands if other is not demand)
-        if not cast.keys() >= {a, b}:
-            continue
         top = next((cast[middle] for middle, *ends in between if {*ends} == {a, b}), None)
         if top is not None and top.role.name.endswith("table") and top.asset.size[2] > GAPS.sat_at:
-            found |= dict.fromkeys((a, b), (top.name, AROUND))
+            yield from ((name, (top.name, AROUND)) for name in (a, b))
             continue
+        held = a in subjects(other for other in demands if other is not demand)
         gap = max(GAPS.across, (top.asset.size[0] if top is not None else 0.0) + 2 * GAPS.before)
-        found[a] = (b, Join("front", (), gap=gap, loose=held, faces="anchor", say=usual_say("front")))
-    return found
+        yield a, (b, Join("front", (), gap=gap, loose=held, faces="anchor", say=usual_say("front")))
 
 
-def _side_by_side(three: Sequence[Cast], passage: float) -> list[tuple[str, tuple[str, Join]]]:
-    """Return how all three stand side by side where one is to stand between two of a kind that it usually stands beside."""
+def _side_by_side(three: Sequence[Cast], passage: float) -> Iterator[tuple[str, tuple[str, Join]]]:
+    """Yield how all three stand side by side where one is to stand between two of a kind that it usually stands beside."""
     middle, first, last = three
     if first.anchor == last.name:
         first, last = last, first
     usual = any(join.slot == "beside" and first.role.name in join.of for join in middle.role.joins)
-    if middle.role.name == "privacy screen" and first.role is last.role:
-        gap = GAPS.before + middle.asset.size[0] / 2
-        beside = Join("beside", (), gap=2 * gap, loose=True, say=LEFT)
-        along = Join("beside", (), gap=GAPS.before, loose=True, say=PARTING)
-        return [(last.name, (first.name, beside)), (middle.name, (first.name, along))]
-    if not usual or first.role is not last.role:
-        return []
-    row, gap = ((middle, first), (last, middle)), max(GAPS.seated, (passage - middle.asset.size[1]) / 2)
-    return [(a.name, (b.name, Join("beside", (), gap=gap, loose=True, say=LEFT))) for a, b in row]
+    if first.role is last.role and middle.role.name == "privacy screen":
+        yield last.name, (first.name, _beside(2 * GAPS.before + middle.asset.size[0], LEFT))
+        yield middle.name, (first.name, _beside(GAPS.before, PARTING))
+    elif first.role is last.role and usual:
+        join = _beside(max(GAPS.seated, (passage - middle.asset.size[1]) / 2), LEFT)
+        yield from ((middle.name, (first.name, join)), (last.name, (middle.name, join)))
 
 
-def _join(relation: Relation, a: Cast, b: Cast, passage: float, *, around: bool, turned: float) -> Join | None:
-    """Return how a thing joins another, None where it is placed by itself."""
+def _join(relation: Relation, a: Cast, b: Cast, asked: Mapping[str, Relation], passage: float) -> Join | None:
+    """Return how a thing joins another of which so much is asked together, None where it is placed by itself."""
     if relation.name == "on_top_of":
         return next((join for join in a.role.joins if join.on_top), ON_ANY)
-    if _only_on(a) or (a.asset.on_wall and not a.asset.on_floor):
+    if not a.asset.on_floor and (a.asset.on_object or a.asset.on_wall):
         return None
     known = next((join for join in a.role.joins if b.role.name in join.of), None)
-    if relation.name == "near" and (around or (a.role.name.endswith("seat") and b.role.name.endswith("table"))):
+    around = "point_towards" in asked or (a.role.name.endswith("seat") and b.role.name.endswith("table"))
+    if relation.name == "near" and (known is not None or around):
         return known or AROUND
-    if relation.name == "near" and known is not None:
-        return known
-    if (said := _at_its_side(relation, b)) is not None:
-        return Join("beside", (), gap=GAPS.seated, loose=True, say=said)
-    if isinstance(relation, InFrontOf) and relation.max_gap < GAPS.close:
-        if known is not None and known.slot in ("front", "around"):
-            return known
-        gap = GAPS.watching if b.role.name == "tv" else GAPS.seated if a.role.name == "seat" else GAPS.before
-        return Join("front", (), gap=gap, loose=True, faces="anchor")
-    if relation.name != "behind":
-        return None
-    return known if known is not None and known.slot == "behind" else _at_its_back(a, b, passage, turned)
+    match relation:
+        case NextTo(side="left" | "right" | "beside"):
+            return _beside(GAPS.seated, ())
+        case Relation(name="left_of" | "right_of"):
+            return _beside(GAPS.seated, usual_say("beside")[1:])
+        case Near(max_gap=gap) if gap <= GAPS.touch and not b.asset.is_flat:
+            return _beside(GAPS.seated, usual_say("beside"))
+        case InFrontOf(max_gap=most) if most < GAPS.close:
+            gap = GAPS.watching if b.role.name == "tv" else GAPS.seated if a.role.name == "seat" else GAPS.before
+            usual = known is not None and known.slot in ("front", "around")
+            return known if usual else Join("front", (), gap=gap, loose=True, faces="anchor")
+        case Relation(name="behind"):
+            usual = known is not None and known.slot == "behind"
+            return known if usual else _at_its_back(a, passage, getattr(asked.get("align_with"), "angle", 0.0))
+        case _:
+            return None
 
 
-def _at_its_back(a: Cast, b: Cast, passage: float, turned: float) -> Join:
+def _at_its_back(a: Cast, passage: float, turned: float) -> Join:
     """Return how a thing joins another that it is asked to be behind: back to back, or with room for who stands between."""
+    back_to_back = ('centered_on({a}, {b}, "side")',)
     if turned == 180.0:
-        return Join("behind", (), gap=GAPS.backs, loose=True, faces="away", say=BACK_TO_BACK)
+        return Join("behind", (), gap=GAPS.backs, loose=True, faces="away", say=back_to_back)
     # who takes something from a shelf or cabinet stands between
     gap = passage if {"wall", "grid"} & {*a.role.stands} else GAPS.before
     return Join("behind", (), gap=gap, loose=True, say=BEHIND)
-
-
-def _at_its_side(relation: Relation, b: Cast) -> tuple[str, ...] | None:
-    """Return what is said of a thing that is asked to be close to another, or at a side of it; None where it is not."""
-    if isinstance(relation, NextTo) and relation.side in ("left", "right", "beside"):
-        return ()
-    if relation.name in ("left_of", "right_of"):
-        return usual_say("beside")[1:]
-    close = isinstance(relation, Near) and relation.max_gap <= GAPS.touch and not b.asset.is_flat
-    return usual_say("beside") if close else None

@@ -20,12 +20,11 @@ from robolayout._errors import InputError, SceneError
 from robolayout._reading import Checker
 from robolayout._reading.syntax import toml_value
 from robolayout.assets import CATALOGUE, Category, find_category
-from robolayout.assets.category import BUILT_IN, HEADS
+from robolayout.assets.category import BUILT_IN, HEADS, PLACES, SIDES
 from robolayout.assets.lexicon import place_of
 from robolayout.constraints import RELATIONS
-from robolayout.planners._own import own_rooms, own_thing
 from robolayout.planners._shapes import among, build, table, tables
-from robolayout.scene import Asset
+from robolayout.scene import Asset, agent_names
 from robolayout.words.rooms import RoomType
 
 DATA: Mapping[str, Any] = tomllib.loads((files("robolayout.planners") / "knowledge" / "_slots.toml").read_text("utf-8"))
@@ -35,12 +34,8 @@ STANDS = tuple(slot for slot in DATA["slots"] if slot not in SLOTS)  # ways of s
 GROUP_KEYS = ("label", "order", "why")  # what the head of a file says
 TOP_KEYS = (*HEADS, *GROUP_KEYS, "thing", "rooms")
 """What a file may hold at its top, beside records; `label`, `order`, `why` and `thing` are the older form."""
-_VALUES = (
-    "a, a2, b, wall, bwall, side, gap, least, most, near, far, angle, height, seat, straight, vertex, depth, items, "
-    "ahead low, ahead high"
-)
-PLACEHOLDERS = frozenset(_VALUES.split(", "))  # what a statement may name in braces
 MAX_BYTES = 1_000_000  # largest knowledge file in bytes; the built-in ones have at most 12,000
+MOST = 200  # things of one kind that a room type may have
 _CHECK = Checker(SceneError)
 
 
@@ -115,6 +110,21 @@ class Head:
     why: str = ""
 
 
+@dataclass(frozen=True)
+class _Thing:
+    """One record of an own file; what it does not say is as in the category that it is like."""
+
+    name: str
+    like: str
+    role: str = ""
+    parts: str = ""
+    synonyms: tuple[str, ...] = ()
+    words: tuple[str, ...] = ()
+    size: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    place: tuple[str, ...] = ()
+    use_sides: tuple[str, ...] = ()
+
+
 class Knowledge:
     """All roles and groups; those of the user's own take the place of built-in ones of the same name."""
 
@@ -158,11 +168,12 @@ class Knowledge:
         roles = [_role(entry, group) for entry in _named(data.get("role", []), "role")]
         self.roles |= {role.name: role for role in roles}
         entries = [*_named(data.get("thing", []), "thing"), *_named(records, "thing")]
-        things = [own_thing(entry, group.label) for entry in entries]
+        things = [_thing(entry, group.label) for entry in entries]
         for thing in things:
             self.things[thing.name] = thing
             self.cast(thing)
-        rooms = own_rooms(data.get("rooms", {}), self.things)
+        given = table(data.get("rooms", {}), 'rooms (such as [rooms."music room"])')
+        rooms = [_room(name, entry, self.things) for name, entry in given.items()]
         self.rooms |= {room.name: room for room in rooms}
         for kind, said in (("role", roles), ("thing", things), ("room type", rooms)) if file else ():
             for entry in said:
@@ -238,6 +249,42 @@ def _check(role: Role, roles: Mapping[str, Role]) -> None:
     for line in lines:
         text = line.removeprefix("else ")
         among(f"statement in {where}:", [text.split("(")[0]], RELATIONS)
-        among(f"placeholder in {where}:", re.findall(r"\{(.*?)\}", text), PLACEHOLDERS)
+        among(f"placeholder in {where}:", re.findall(r"\{(.*?)\}", text), DATA["placeholders"])
         if not text.endswith(")") or re.search(r"[{}]", re.sub(r"\{[\w ]+\}", "", text)):
             raise SceneError(f"{where} says {line!r}; write it as a call, such as 'next_to({{a}}, {{b}})'.")
+
+
+def _thing(entry: Mapping[str, object], group: str) -> Category:
+    """Return one record of a file, with its name, as a category of a group."""
+    where = f"the thing {entry.get('name', 'without a name')!r}"
+    thing = build(_Thing, entry, where)
+    among(f"category in {where}: like", [thing.like], CATALOGUE)
+    among(f"place in {where}:", thing.place, PLACES)
+    among(f"side in {where}:", thing.use_sides, SIDES)
+    if "size" in entry and not all(0.0 < side <= 100.0 for side in thing.size):
+        raise SceneError(f"{where}: size is {list(thing.size)}; depth, width and height are metres, from 0 to 100.")
+    given: dict[str, Any] = {key: getattr(thing, key) for key in ("size", "use_sides") if key in entry}
+    given |= {f"on_{place}": place in thing.place for place in PLACES} if "place" in entry else {}
+    own = {"name": thing.name, "like": thing.like, "role": thing.role, "parts": thing.parts, "group": group}
+    found = replace(CATALOGUE[thing.like], synonyms=(*thing.synonyms, *thing.words), **own, **given)
+    if thing.parts:
+        from robolayout.assets.rows import check_rows
+
+        check_rows(thing.parts, where, found.size)
+    return found
+
+
+def _room(name: str, entry: object, things: Mapping[str, Category]) -> RoomType:
+    where = f"the room {name!r}"
+    usual = {"base": dict[str, int](), "extras": dict[str, int](), "words": [name]}
+    room = build(RoomType, {**usual, **table(entry, where), "name": name}, where)
+    known = {*CATALOGUE, *things}
+    among(f"category in {where}:", [*room.base, *room.extras, *room.person], known)
+    among(f"table in {where}:", filter(None, [room.tables]), known)
+    among(f"body in {where}:", filter(None, [room.agent]), agent_names())
+    if not all(1.0 <= side <= 100.0 for side in room.size):
+        raise SceneError(f"{where}: size is {list(room.size)}; width and depth are metres, from 1 to 100.")
+    for thing, count in (*room.base.items(), *room.extras.items(), *room.person.items()):
+        if not 0 <= count <= MOST:
+            raise SceneError(f"{where}: it has {count:.3g} of {thing!r}; a room holds from 0 to {MOST} of a kind.")
+    return room

@@ -52,7 +52,7 @@ def openings(
     usual = order[int(rng.integers(0, len(order) if varied else min(2, len(order))))]
     along = float(rng.random()) if varied else float(rng.random() < 0.5)
     asked = _asked(wishes.reading, "door", OPENINGS.most_doors, 1 + int(room.area / OPENINGS.door_each))
-    full, high = ({i for word in _held(wishes, least) for i in _meant(room, word)} for least in (0.0, OPENINGS.sill))
+    full, high = (_held(room, wishes, least) for least in (0.0, OPENINGS.sill))
     doors: list[Opening] = []
     for number, item in enumerate(i for i in asked for _ in range(i.count)):
         fits = [i for i in order if room.walls[i].length > wide and i not in {d["wall"] for d in doors}] or order
@@ -61,7 +61,7 @@ def openings(
         wall = _wall(room, item.wall, fits[start:] + fits[:start])
         spare = room.walls[wall].length - wide
         first = min(OPENINGS.flanked if wishes.reading.flanked_door else OPENINGS.aside, spare / 2)
-        offset = first + (1.0 - _aside(room, wall, along, _corners(wishes), full)) * (spare - 2 * first)
+        offset = first + (1.0 - _aside(room, wall, along, wishes, full)) * (spare - 2 * first)
         width, height = min(wide, room.walls[wall].length), min(2.05, room.wall_height - OPENINGS.lintel)
         doors.append({"wall": wall, "offset": round(max(offset, 0.0), 2), "width": width, "height": height})
     more = max(1 + int(rng.integers(0, 2)), int(room.area / OPENINGS.window_each))
@@ -78,37 +78,34 @@ def _asked(reading: Reading, kind: str, most: int, usual: int) -> list[WantedOpe
     return asked or [WantedOpening(kind, min(max(usual, few), many))]
 
 
-def _placed(wishes: Wishes, name: str) -> Iterator[tuple[Set[str], list[Category]]]:
-    """Yield the walls, by compass, that tell a wall or corner, and the kinds that are asked to stand there."""
+def _placed(room: Room, wishes: Wishes, name: str) -> Iterator[tuple[list[list[int]], list[Category]]]:
+    """Yield the walls that each word of a wall or corner means, and the kinds that are asked to stand there."""
     walls = grammar().walls
     for link in wishes.reading.parsed.links:
         there = [wishes.kinds[mention.thing.noun.kind] for mention in link.subjects]
         for place in link.objects:
             if isinstance(place, Place) and place.name == name:
-                yield {walls[word] for word in place.words if walls.get(word) in COMPASS}, there
+                words = {walls[word] for word in place.words if walls.get(word) in COMPASS}
+                yield [_meant(room, word) for word in words], there
 
 
-def _held(wishes: Wishes, least: float) -> Set[str]:
+def _held(room: Room, wishes: Wishes, least: float) -> set[int]:
     """Return the walls at which something is asked to stand; with a height what is lower counts only if it hangs."""
-    return {
-        word
-        for words, there in _placed(wishes, "wall")
-        if any((kind.on_floor and kind.size[2] >= least) or (least and kind.on_wall) for kind in there)
-        for word in words
-    }
+    found = set[int]()
+    for walls, there in _placed(room, wishes, "wall"):
+        if any((kind.on_floor and kind.size[2] >= least) or (least and kind.on_wall) for kind in there):
+            found.update(*walls)
+    return found
 
 
-def _corners(wishes: Wishes) -> list[Set[str]]:
-    """Return the corners, by the compass of their two walls, in which something on the floor is asked to stand."""
-    told = _placed(wishes, "corner")
-    return [words for words, there in told if len(words) == 2 and any(kind.on_floor for kind in there)]
-
-
-def _aside(room: Room, wall: int, along: float, corners: Sequence[Set[str]], full: Set[int]) -> float:
+def _aside(room: Room, wall: int, along: float, wishes: Wishes, full: Set[int]) -> float:
     """Return where along a wall (1 at its start) a door is: at its other end, or in the middle, where its end is to be free."""
-    meant = [[set(_meant(room, word)) for word in words] for words in corners]
+    told = _placed(room, wishes, "corner")
+    meant = [walls for walls, there in told if len(walls) == 2 and any(kind.on_floor for kind in there)]
     beside = ((wall - 1) % len(room.walls), (wall + 1) % len(room.walls))
-    start, end = (2 * any(all({wall, to} & walls for walls in pair) for pair in meant) + (to in full) for to in beside)
+    start, end = (
+        2 * any(all({wall, to} & {*walls} for walls in pair) for pair in meant) + (to in full) for to in beside
+    )
     if start == end:
         return 0.5 if start > 1 else along
     return min(along, 1.0 - along) if start > end else max(along, 1.0 - along)

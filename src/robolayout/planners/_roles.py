@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping, Sequence, Set
+from collections import Counter
+from collections.abc import Iterator, Mapping, Sequence, Set
 from dataclasses import dataclass, replace
 
 from robolayout.assets import Category, category_of
+from robolayout.assets.lexicon import place_of
 from robolayout.planners._knowledge import ALONE, ON_ANY, Join, Knowledge, Role
 from robolayout.scene import Agent, Asset, Scene
 from robolayout.scene.agent import horizontal_reach
@@ -44,33 +46,22 @@ def cast_scene(scene: Scene, knowledge: Knowledge) -> dict[str, Cast]:
     for asset in scene.assets:
         category = category_of(asset)
         cast[asset.name] = Cast(asset, _role(knowledge, asset, category), category)
-    taken: dict[tuple[str, str], int] = {}
-    covered: dict[str, float] = {}
     for name in sorted(cast, key=lambda n: (cast[n].role.rank, -_footprint(cast[n].asset))):
-        found = (
-            _anchor(cast[name], cast, taken, covered, _handy(name, cast, scene.agents))
-            or _anchor(cast[name], cast, taken, covered, _handy(name, cast, scene.agents, narrow=True))
-            or _anchor(cast[name], cast, taken, covered, set(cast))
-            or _any_top(cast[name], cast, covered)
-        )
-        if found is None:
-            continue
-        anchor, join = found
-        cast[name] = replace(cast[name], anchor=anchor, join=join)
-        taken[anchor, cast[name].role.name] = taken.get((anchor, cast[name].role.name), 0) + 1
-        if join.on_top:
-            covered[anchor] = covered.get(anchor, 0.0) + _footprint(cast[name].asset)
+        item = cast[name]
+        found = next(filter(None, (_anchor(item, cast, handy) for handy in _handy(item, cast, scene.agents))), None)
+        found = found or _any_top(item, cast)
+        if found is not None:
+            cast[name] = replace(item, anchor=found[0], join=found[1])
     return cast
 
 
-def _handy(name: str, cast: Mapping[str, Cast], agents: Sequence[Agent], *, narrow: bool = False) -> set[str]:
-    """Return the assets on which a thing would be in every arm's reach; none for what joins no top."""
-    item = cast[name]
-    if not any(join.on_top for join in item.role.joins):
-        return set()
+def _handy(item: Cast, cast: Mapping[str, Cast], agents: Sequence[Agent]) -> Iterator[Set[str]]:
+    """Yield the assets on which a thing is in every arm's reach, then in that of arms at narrow sides too, then all."""
     heights = {other.asset.size[2] for other in cast.values()}
-    within = {height for height in heights if in_height(agents, item.asset, height, narrow=narrow)}
-    return {other for other, there in cast.items() if there.asset.size[2] in within}
+    for narrow in (False, True) if any(join.on_top for join in item.role.joins) else ():
+        within = {height for height in heights if in_height(agents, item.asset, height, narrow=narrow)}
+        yield {other for other, there in cast.items() if there.asset.size[2] in within}
+    yield cast.keys()
 
 
 def _footprint(asset: Asset) -> float:
@@ -122,9 +113,7 @@ def in_height(agents: Sequence[Agent], asset: Asset, bottom: float, *, narrow: b
 
     Its edge is that of its disc, or `narrow` that of its narrow side.
     """
-    for agent in agents:
-        if agent.reach_distance is None:
-            continue
+    for agent in (agent for agent in agents if agent.reach_distance is not None):
         far = horizontal_reach(agent, bottom, bottom + asset.size[2])
         edge = min(agent.length, agent.width) / 2 if narrow and agent.length and agent.width else agent.radius
         if far is None or far < edge + BEYOND:
@@ -132,49 +121,41 @@ def in_height(agents: Sequence[Agent], asset: Asset, bottom: float, *, narrow: b
     return True
 
 
-def _anchor(
-    item: Cast,
-    cast: Mapping[str, Cast],
-    taken: Mapping[tuple[str, str], int],
-    covered: Mapping[str, float],
-    handy: Set[str],
-) -> tuple[str, Join] | None:
-    """Return what the item joins: of the first fitting kind, the one with fewest like it (or most).
+def _anchor(item: Cast, cast: Mapping[str, Cast], handy: Set[str]) -> tuple[str, Join] | None:
+    """Return what the item joins: of the first fitting kind, the one with fewest like it (or most), and bigger tops first.
 
     On a top it is put only where `handy` holds that top.
     """
+    taken = Counter(one.anchor for one in cast.values() if one.role is item.role)
     for join in item.role.joins:
-        if not join_allowed(join, item.asset):
-            continue
-        for wanted in join.of:
+        for wanted in join.of if join_allowed(join, item.asset) else ():
             free = [
-                (taken.get((name, item.role.name), 0) * (-1 if join.gather else 1), -_score(other), order, name)
+                (-taken[name] if join.gather else taken[name], -_footprint(other.asset) * other.role.top, order, name)
                 for order, (name, other) in enumerate(cast.items())
-                if name != item.name
-                and (name in handy or not join.on_top)
+                if (name in handy or not join.on_top)
                 and (other.role.name == wanted or (wanted == "*" and other.role.top))
-                and taken.get((name, item.role.name), 0) < join.most
+                and taken[name] < join.most
                 and item.name not in chain(name, cast)
-                and _room_for(item.asset, other.asset, join, covered.get(name, 0.0))
+                and _room_for(item.asset, other.asset, join, _covered(name, cast))
             ]
             if free:
                 return (min(free)[3], join)
     return None
 
 
-def _score(other: Cast) -> float:
-    """Return how welcome further things are: bigger tops first."""
-    return _footprint(other.asset) if other.role.top else 0.0
+def _covered(top: str, cast: Mapping[str, Cast]) -> float:
+    """Return the square metres of a top that are taken."""
+    return sum(_footprint(one.asset) for one in cast.values() if one.anchor == top and one.join.on_top)
 
 
-def _any_top(item: Cast, cast: Mapping[str, Cast], covered: Mapping[str, float]) -> tuple[str, Join] | None:
+def _any_top(item: Cast, cast: Mapping[str, Cast]) -> tuple[str, Join] | None:
     """Return the best top for what can stand nowhere else, however unlikely that top is."""
-    if not item.asset.on_object or item.asset.on_floor or item.asset.on_wall or item.asset.on_ceiling:
+    if place_of(item.asset) != "object":
         return None
     best = [
-        (other.asset.size[2] > TOP_HEIGHT, not other.role.top, covered.get(name, 0.0) - _footprint(other.asset), name)
+        (other.asset.size[2] > TOP_HEIGHT, not other.role.top, _covered(name, cast) - _footprint(other.asset), name)
         for name, other in cast.items()
-        if name != item.name and other.asset.on_floor and not other.asset.is_flat and item.name not in chain(name, cast)
+        if other.asset.on_floor and not other.asset.is_flat and item.name not in chain(name, cast)
     ]
     return (min(best)[-1], ON_ANY) if best else None
 

@@ -43,15 +43,13 @@ def _fits(value: object, kind: Any) -> bool:
 def build(kind: type[Kind], entry: Mapping[str, Any], where: str) -> Kind:
     """Return an entry of a file as a dataclass; a key that is missing, unknown or of the wrong kind is refused."""
     known, kinds = {field.name: field for field in fields(kind)}, _KINDS(kind)  # type: ignore[arg-type]
-    for key, value in table(entry, where).items():
-        if key not in known:
-            raise UnknownNameError(f"key in {where}:", key, known)
-        words = WORDS.get(str(known[key].type))
-        if words is not None and not _fits(value, kinds[key]):
-            raise SceneError(f"{where}: {key} must be {words}, but is {show(value)}.")
-    for name, field in known.items():
-        if name not in entry and field.default is MISSING and field.default_factory is MISSING:
-            raise SceneError(f'{where} lacks the key "{name}"; add it.')
+    among(f"key in {where}:", table(entry, where), known)
+    for key, field in known.items():
+        words = WORDS.get(str(field.type))
+        if key in entry and words is not None and not _fits(entry[key], kinds[key]):
+            raise SceneError(f"{where}: {key} must be {words}, but is {show(entry[key])}.")
+        if key not in entry and field.default is MISSING and field.default_factory is MISSING:
+            raise SceneError(f'{where} lacks the key "{key}"; add it.')
     return kind(**{key: tuple(item) if isinstance(item, list) else item for key, item in entry.items()})
 
 
@@ -72,6 +70,5 @@ def table(value: object, where: str) -> dict[str, Any]:
 def among(kind: str, names: Iterable[str], known: Iterable[str]) -> None:
     """Refuse the first name that is not known."""
     known = tuple(known)
-    for name in names:
-        if name not in known:
-            raise UnknownNameError(kind, name, known)
+    for name in (name for name in names if name not in known):
+        raise UnknownNameError(kind, name, known)

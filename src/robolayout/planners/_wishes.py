@@ -87,10 +87,9 @@ class Wishes:
         for thing in self.reading.parsed.things:
             wished[self._shown(thing)] += thing.count
         present = {name.split()[-1] for name in wished}
-        corners = [self.rooms.corners[chunk.value] for chunk in self.reading.parsed.facts if chunk.kind == "corner"]
-        for name, count in (entry for corner in corners for entry in corner.items()):
-            if name.split()[-1] not in present:
-                wished[name] += count
+        for chunk in (chunk for chunk in self.reading.parsed.facts if chunk.kind == "corner"):
+            corner = self.rooms.corners[chunk.value].items()
+            wished.update({name: count for name, count in corner if name.split()[-1] not in present})
         cosy = grammar().cosy
         if set(self.reading.words_of_taste) & set(cosy["words"]):  # something soft, a warm light
             rows = [row for row in (cosy["soft"], cosy["warm"]) if not set(wished) & set(row)]
@@ -98,18 +97,10 @@ class Wishes:
         return dict(wished)
 
     @cached_property
-    def named(self) -> Mapping[str, Category]:
-        """Kinds that are not in the catalogue as they were asked for: other words, other sizes."""
-        found: dict[str, Category] = {}
-        for thing in self.reading.parsed.things:
-            kind = self._as_wished(thing)
-            found.setdefault(kind.name, kind)
-        return {name: kind for name, kind in found.items() if kind != self.lexicon.kinds.get(name)}
-
-    @cached_property
     def kinds(self) -> Mapping[str, Category]:
-        """All kinds of things, those of the user's own too, as they were asked for."""
-        return {**self.lexicon.kinds, **self.named}
+        """All kinds of things, those of the user's own too, as they were first asked for: other words, other sizes."""
+        asked = [self._as_wished(thing) for thing in self.reading.parsed.things]
+        return {**self.lexicon.kinds, **{kind.name: kind for kind in reversed(asked)}}
 
     @property
     def times_usual(self) -> float:
@@ -291,8 +282,7 @@ def _room(reading: Reading, rooms: Rooms) -> tuple[RoomType, list[str]]:
 
 def _belongs(kinds: set[str], room: RoomType) -> float:
     """Return how many of some kinds belong in a room; what always stands there counts double, and lacks where it is missing."""
-    usual = {*room.extras, *room.person}
-    found = sum(2.0 if kind in room.base else 1.0 for kind in kinds if kind in room.base or kind in usual)
+    found = len(kinds & room.base.keys()) + len(kinds & {*room.base, *room.extras, *room.person})
     lights_and_rugs = {
         kind.name
         for kind in CATALOGUE.values()

@@ -8,11 +8,11 @@ from __future__ import annotations
 import math
 import re
 from collections import Counter
-from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence, Set
 from dataclasses import dataclass
 from functools import cached_property
 
-from robolayout.planners._knowledge import DATA
+from robolayout.planners._knowledge import DATA, Face
 from robolayout.planners._roles import Cast, chain, passage
 from robolayout.scene import Scene
 
@@ -45,8 +45,8 @@ class Writer:
 
     scene: Scene
     cast: Mapping[str, Cast]  # its assets in their roles
-    asked: frozenset[str] = frozenset()  # things of which the user's words say where they stand: roles only wish then
-    cornered: frozenset[str] = frozenset()  # those of them with a corner of their own: placed before it is taken
+    asked: Set[str]  # things of which the user's words say where they stand: roles only wish then
+    cornered: Set[str]  # those of them with a corner of their own: placed before it is taken
 
     def order(self) -> list[str]:
         """Return all assets, what is placed first first: low ranks, big things, and what joins a thing right after it."""
@@ -94,14 +94,13 @@ class Writer:
         """Return what a template may say about an asset and the one that it joins."""
         join, anchor = item.join, self.cast[item.anchor]
         number = self._peers(item).index(item.name)
-        before = self._taken(item, number)
         tucked = item.category.movable and join.slot in ("front", "behind")
         values = {
             "b": self._name(anchor.name),
             "side": '"beside"',
             "gap": f"{join.gap:g}",
             "least": f"{-SAYING.under if tucked else max(0.0, join.gap - SAYING.within):g}",
-            "most": f"{join.gap + SAYING.beyond + before:.2f}",
+            "most": f"{join.gap + SAYING.beyond + self._taken(item):.2f}",
         }
         turned = {"front": 180.0, "behind": 0.0, "beside": 0.0}.get(join.slot)
         if turned is not None:
@@ -113,17 +112,13 @@ class Writer:
         found = {key: self._name(n) for key, names in (("seat", seats), ("p", plates)) for n in names[number:][:1]}
         return values | found
 
-    def _taken(self, item: Cast, number: int) -> float:
-        """Return metres that others may take between a thing and what it joins."""
-        slot = item.join.slot
-        others = [o for o in self.cast.values() if o.anchor == item.anchor and o.join.slot == slot]
-        if slot in ("front", "behind"):
-            roles = {o.role.name: o.role for o in others if o.role is not item.role}.values()
-            return sum(max(o.asset.size[0] for o in others if o.role is role) for role in roles)
-        if slot == "beside":
-            rank = [o.name for o in others].index(item.name)
-            return sum(o.asset.size[1] + o.join.gap for o in others[: rank // 2 * 2 : 2]) if rank > 1 else 0.0
-        return 0.0
+    def _taken(self, item: Cast) -> float:
+        """Return metres that others may take between a thing and what it stands beside."""
+        others = [
+            o for o in self.cast.values() if o.anchor == item.anchor and o.join.slot == item.join.slot == "beside"
+        ]
+        rank = others.index(item) if others else 0
+        return sum((o.asset.size[1] + o.join.gap for o in others[: rank // 2 * 2 : 2]), 0.0)
 
     # by itself
 
@@ -261,15 +256,11 @@ class Writer:
         angle = "" if face.how == "toward" else ", 180"
         looks = [f"point_towards({a}, {self._name(n)}{angle})" for n in names]
         yield _wish(_either(looks), face.weight)
-        if face.say and item.name not in self.asked and len(names) == 1 == len(self._looking(names[0])):
+        before = [one for one in self.cast.values() if one.role.face.say and names[0] in self._faces(one)]
+        if face.say and item.name not in self.asked and len(names) == 1 == len(before):
             yield from self._fill(face.say, self._values(item))
-        elif face.distance != (0.0, 20.0):
-            low, high = self._edges(item, names[0])
-            yield _wish(f"in_front_of({a}, {self._name(names[0])}, {low:g}, {high:g})")
-
-    def _looking(self, target: str) -> list[str]:
-        """Return what has to be before a thing."""
-        return [n for n, one in self.cast.items() if one.role.face.say and target in self._faces(one)]
+        elif face.distance != Face.distance:
+            yield from self._fill(["in_front_of({a}, {b}, {ahead low}, {ahead high})"], self._values(item), 1.0)
 
     def _faces(self, item: Cast) -> list[str]:
         """Return what a thing should face: all of the first role that is there, one each where it stands before them."""
@@ -279,12 +270,6 @@ class Writer:
         if found and face.say and item.name in equal:
             return [found[equal.index(item.name) % len(found)]]
         return found
-
-    def _edges(self, item: Cast, other: str) -> tuple[float, float]:
-        """Return the distances of a thing to what it faces from edge to edge, metres."""
-        low, high = item.role.face.distance
-        apart = (item.asset.size[0] + self.scene.by_name[other].size[0]) / 2
-        return round(max(0.0, low - apart), 2), round(max(0.1, high - apart), 2)
 
     # templates
 
@@ -304,12 +289,12 @@ class Writer:
             "height": f"{item.role.height:g}" if item.role.height else "None",
             "depth": f"{max(item.category.open_depth, 0.5):g}",
         }
-        names = self._faces(item)
-        if names and not item.anchor:
-            low, high = self._edges(item, names[0])
+        for name in self._faces(item)[:1]:
             near, far = item.role.face.distance
+            apart = (item.asset.size[0] + self.scene.by_name[name].size[0]) / 2
+            low, high = round(max(0.0, near - apart), 2), round(max(0.1, far - apart), 2)
             ends = {"near": near, "far": far, "ahead low": low, "ahead high": high}
-            values |= {"b": self._name(names[0])} | {k: f"{v:g}" for k, v in ends.items()}
+            values |= {"b": self._name(name)} | {k: f"{v:g}" for k, v in ends.items()}
         return values
 
     def _fill(self, templates: Iterable[str], values: Mapping[str, str], weight: float | None = None) -> Iterator[str]:

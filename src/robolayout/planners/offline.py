@@ -7,9 +7,9 @@ from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from pathlib import Path
 
+from robolayout.assets import CATALOGUE
 from robolayout.planners._asked import asked_lines, cornered, join_as_asked, subjects
-from robolayout.planners._knowledge import SLOTS, Head, Knowledge, load_knowledge
-from robolayout.planners._own import own_sides
+from robolayout.planners._knowledge import SLOTS, Knowledge, load_knowledge
 from robolayout.planners._roles import Cast, cast_scene, chain, passage
 from robolayout.planners._types import Group, PlanRequest
 from robolayout.planners._write import Writer
@@ -37,7 +37,9 @@ class OfflinePlanner:
         found = None if asset.like else self.knowledge.recognised(asset)
         if found is None:
             return asset
-        sides = own_sides(found) if asset.use_sides is None else asset.use_sides
+        sides = asset.use_sides
+        if sides is None and found.use_sides != CATALOGUE[found.like].use_sides:
+            sides = found.use_sides
         return replace(asset, like=found.like, use_sides=sides, parts=asset.parts or found.parts)
 
     def group(self, scene: Scene) -> tuple[Group, ...]:
@@ -46,30 +48,34 @@ class OfflinePlanner:
         What joins another thing belongs to that thing's group, so that a night stand is never planned before its bed.
         """
         cast = cast_scene(scene, self.knowledge)
-        members: dict[str, list[str]] = {}
-        for name in sorted(cast, key=lambda n: _owner(n, cast).role.rank):
-            members.setdefault(_owner(name, cast).role.group, []).append(name)
-        heads = sorted((self.knowledge.groups[label] for label in members), key=lambda head: (head.order, head.label))
-        return tuple(_group(head, members[head.label], cast) for head in heads)
+        roles = {name: _owner(name, cast).role for name in cast}
+        heads = {self.knowledge.groups[role.group] for role in roles.values()}
+        order = sorted(cast, key=lambda n: (len(chain(n, cast)), cast[n].role.rank, roles[n].rank))
+        found: list[Group] = []
+        for head in sorted(heads, key=lambda head: (head.order, head.label)):
+            items = tuple(name for name in order if roles[name].group == head.label)
+            joined = (cast[name] for name in items if cast[name].anchor)
+            relations = tuple(f"{one.name} {SLOTS[one.join.slot]} {one.anchor}" for one in joined)
+            found.append(Group(head.label, head.why, items, relations))
+        return tuple(found)
 
     def plan(self, request: PlanRequest) -> str:
         """Return program text for the request: statements and wishes; where things stand is left to the solver."""
         scene, known = request.scene, set(request.placed or ())
         cast = join_as_asked(cast_scene(scene, self.knowledge), request.asked, passage(scene))
         about = set(request.group.items) if request.group else set(cast)
-        placed, alone = (frozenset[str]().union(*map(of, request.asked)) for of in (subjects, cornered))
-        writer = Writer(scene, cast, placed, alone)
+        writer = Writer(scene, cast, subjects(request.asked), cornered(request.asked))
         names = {written: name for name, written in scene.expressions.items()}
         text = ["# Walls: " + "; ".join(_wall(wall, scene.room) for wall in scene.room.walls)]
         asked = asked_lines(scene, request.asked, about | known)
         user = [(f"{line}  # asked by the user", subject) for line, subject in asked.items()]
         label, told, topics = "", set[str](), set(map(_topic, asked))
         for name in (name for name in writer.order() if name in about - known):
-            role = _owner(name, cast).role
-            if role.group != label:
-                label = role.group
-                why = "" if label in told else f": {_one_line(self.knowledge.groups[label].why)}"
-                text += ["", f"# {_one_line(label)}{why}"]
+            group = self.knowledge.groups[_owner(name, cast).role.group]
+            if group.label != label:
+                label = group.label
+                said = [label] if label in told else [label, group.why]
+                text += ["", f"# {': '.join(map(_one_line, said))}"]
                 told.add(label)
             text += [line for line, subject in user if subject == name]
             for line in writer.lines(name):
@@ -85,12 +91,6 @@ class OfflinePlanner:
 def _owner(name: str, cast: Mapping[str, Cast]) -> Cast:
     """Return what an asset stands at in the end: itself, or the last of the things that it joins."""
     return cast[chain(name, cast)[-1]]
-
-
-def _group(head: Head, names: Iterable[str], cast: Mapping[str, Cast]) -> Group:
-    items = sorted(names, key=lambda n: (len(chain(n, cast)), cast[n].role.rank))
-    relations = (f"{n} {SLOTS[cast[n].join.slot]} {cast[n].anchor}" for n in items if cast[n].anchor)
-    return Group(head.label, head.why, tuple(items), tuple(relations))
 
 
 def _wall(wall: Wall, room: Room) -> str:

@@ -20,7 +20,6 @@ from robolayout.assets.palette import PALETTES
 from robolayout.planners._added import COMFORT, LARGER, SEATS, SPARE, Added, both
 from robolayout.planners._knowledge import load_knowledge
 from robolayout.planners._openings import openings
-from robolayout.planners._own import own_sides
 from robolayout.planners._wishes import Wishes, head, read_wishes
 from robolayout.scene import FLAT_HEIGHT, Agent, Room, Scene, load_agent, scene_from_dict, variable_name
 from robolayout.words import RoomType, dressing
@@ -69,8 +68,7 @@ class Understanding:
 
     def to_dict(self) -> dict[str, object]:
         """Return everything as plain values for a file."""
-        lists = {key: list(value) for key, value in vars(self).items() if isinstance(value, tuple)}
-        return {**vars(self), **lists, "wished": dict(self.wished), "added": dict(self.added)}
+        return {key: list(value) if isinstance(value, tuple) else value for key, value in vars(self).items()}
 
     def sentences(self) -> tuple[str, ...]:
         """Return what was understood, in words."""
@@ -135,9 +133,8 @@ def _wished(wishes: Wishes) -> dict[str, int]:
     heads |= {"seat"} if heads & (LOUNGE | {"chair"}) else set()
     links = wishes.reading.parsed.links
     rows = {head(m.thing.noun.kind) for link in links if link.relation == "rows" for m in link.subjects}
-    rows |= {"seat"} & {head(name) for name in wished}
-    audience = bool(rows & {"chair", "seat", "pew"}) and "desk" not in heads  # it sits before a board, at no desks
-    heads |= {"desk", "chair"} if audience else set()
+    if (rows & {"chair", "seat", "pew"} or "seat" in map(head, wished)) and "desk" not in heads:
+        heads |= {"desk", "chair"}  # an audience sits before a board, at no desks
     seated = "table" in heads if room.tables else heads & LOUNGE
     if seated and not wishes.reading.people and wishes.useless("chair", {**wished, **room.base}):
         heads.add("chair")  # who is here sits elsewhere: on sofas, or on stools at high tables
@@ -277,38 +274,26 @@ def _scene(found: Understanding, wishes: Wishes, rng: np.random.Generator, *, va
     doors, windows = openings(Room(tuple(outline), found.height), wishes, wide, rng, varied=varied)
     style = wishes.reading.style or str(rng.choice([palette.wood.name for palette in PALETTES]))
     covering = wishes.reading.floor or str(rng.choice(wishes.room.floors))
-    things = both(found.wished, found.added)
-    scene: dict[str, object] = {
+    return {
         "dress": dressing(found.text),
         "task_description": found.text,
-        "layout_criteria": "",
-        "boundary": {
-            "floor_vertices": [[x, y, 0.0] for x, y in outline],
-            "wall_height": found.height,
-            "floor": covering,
-        },
+        "boundary": {"floor_vertices": [[*at, 0.0] for at in outline], "wall_height": found.height, "floor": covering},
         "doors": doors,
         "windows": windows,
-        "assets": _assets(
-            [(wishes.kinds[name], count) for name, count in things.items()], found.height, style, wishes, rng
-        ),
+        "assets": _assets(found, wishes, style, rng),
+        **({} if found.agent is None else {"agent": found.agent}),
     }
-    if found.agent is not None:
-        scene["agent"] = found.agent
-    return scene
 
 
-def _assets(
-    things: Iterable[tuple[Category, int]], height: float, style: str, wishes: Wishes, rng: np.random.Generator
-) -> dict[str, dict[str, object]]:
+def _assets(found: Understanding, wishes: Wishes, style: str, rng: np.random.Generator) -> dict[str, object]:
     """Return the asset list; equal things have equal sizes, as said or within 6 % of typical ones, and look alike."""
-    assets: dict[str, dict[str, object]] = {}
-    for kind, count in things:
+    assets: dict[str, object] = {}
+    for kind, count in ((wishes.kinds[name], count) for name, count in both(found.wished, found.added).items()):
         scale = 1.0 + 0.06 * float(rng.uniform(-1, 1))
         d, w, h = (round(max(0.01, value * (scale if kind.on_floor else 1.0)), 3) for value in kind.size)
         for measure in wishes.sizes.get(kind.name, ()):
             d, w, h = measure.on((d, w, h))
-        size = (d, w, min(h, round(height - SPARE, 3)))
+        size = (d, w, min(h, round(found.height - SPARE, 3)))
         look = ", ".join(filter(None, (style, wishes.looks.get(kind.name, ""))))
         for index in range(count):
             assets[f"{variable_name(kind.name)}-{index}"] = asset_entry(kind, size) | {"look": look}
@@ -317,18 +302,18 @@ def _assets(
 
 def asset_entry(kind: Category, size: Sequence[float]) -> dict[str, object]:
     """Return a thing of a kind as a scene file has it."""
-    sides = own_sides(kind) if kind.like else None
-    own = {"like": kind.like} if kind.like else {}
-    if kind.like and kind.parts not in (CATALOGUE[kind.like].parts, *CATALOGUE):
-        own["parts"] = kind.parts  # else it is drawn as what it is like
+    own: dict[str, object] = {}
+    if kind.like:
+        usual = CATALOGUE[kind.like]
+        own["like"] = kind.like
+        own |= {"parts": kind.parts} if kind.parts not in (usual.parts, *CATALOGUE) else {}  # else drawn as that
+        own |= {"useSides": list(kind.use_sides)} if kind.use_sides != usual.use_sides else {}
     return {
         "category": kind.name,
-        "description": "",
         "onFloor": kind.on_floor,
         "onWall": kind.on_wall,
         "onCeiling": kind.on_ceiling and not kind.on_wall,
         "onObject": kind.on_object,
         "assetMetadata": {"boundingBox": dict(zip("xyz", size, strict=True))},
         **own,
-        **({"useSides": list(sides)} if sides is not None else {}),
     }
