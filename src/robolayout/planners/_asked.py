@@ -80,8 +80,9 @@ def join_as_asked(cast: Mapping[str, Cast], demands: Sequence[Demand], passage: 
     wanted = {name: join for name, join in joins.items() if name not in tops} | chains
     for name in subjects(demands) - wanted.keys():
         about = [demand for demand in demands if name in subjects([demand])]
-        elsewhere = not any(found[name].anchor in demand.names() for demand in about) and not _only_on(found[name])
-        if elsewhere or any(relation.name == "mounted_on" for demand in about for relation in demand.ways[0]):
+        asset, anchor = found[name].asset, found[name].anchor
+        stays = (asset.on_object and not asset.on_floor) or any(anchor in demand.names() for demand in about)
+        if not stays or any(relation.name == "mounted_on" for demand in about for relation in demand.ways[0]):
             found[name] = found[name].alone
     seated = [wanted[name] for name in wanted if cast[name].role.name.endswith("seat")]
     told = {anchor for anchor, join in seated if join.slot == "around"}
@@ -98,10 +99,6 @@ def join_as_asked(cast: Mapping[str, Cast], demands: Sequence[Demand], passage: 
         if name not in chain(anchor, found):
             found[name] = replace(found[name], anchor=anchor, join=join)
     return found
-
-
-def _only_on(item: Cast) -> bool:
-    return item.asset.on_object and not item.asset.on_floor
 
 
 def subjects(demands: Iterable[Demand]) -> set[str]:

@@ -111,15 +111,12 @@ def _aside(room: Room, wall: int, along: float, wishes: Wishes, full: Set[int]) 
     return min(along, 1.0 - along) if start > end else max(along, 1.0 - along)
 
 
-def _windows(
-    room: Room, free: Sequence[int], asked: Sequence[WantedOpening], rng: np.random.Generator
-) -> list[Opening]:
+def _windows(room: Room, free: list[int], asked: Sequence[WantedOpening], rng: np.random.Generator) -> list[Opening]:
     """Return the windows, in two of the free walls, which are outer ones, where no wall is said."""
-    outer = free[: int(rng.integers(1, 3))] if len(asked) == 1 and not asked[0].wall else free
+    outer = (free[: int(rng.integers(1, 3))] if len(asked) == 1 and not asked[0].wall else free) or [0]
     by_wall: dict[int, list[WantedOpening]] = {}
     for turn, wanted in enumerate(i for i in asked for _ in range(i.count)):
-        order = [outer[(turn + i) % len(outer)] for i in range(len(outer))] or [0]
-        by_wall.setdefault(_wall(room, wanted.wall, order), []).append(wanted)
+        by_wall.setdefault(_wall(room, wanted.wall, outer[turn % len(outer) :] + outer), []).append(wanted)
     found: list[Opening] = []
     for wall, items in by_wall.items():
         share = room.walls[wall].length / len(items)

@@ -70,26 +70,21 @@ def _footprint(asset: Asset) -> float:
 
 def _role(knowledge: Knowledge, asset: Asset, category: Category) -> Role:
     """Return an asset's role: by its words, by the catalogue's name for it, by its last words, by its shape."""
-    words, own = _normal(asset.category).split(), knowledge.recognised(asset)
+    words, own = re.findall(r"[^\W_]+", asset.category.lower()), knowledge.recognised(asset)
     ends = [" ".join(words[i:]) for i in range(len(words))]
     names = (" ".join(words), own.name if own else "", category.name)
     roles = [*map(knowledge.playing.get, names), *map(knowledge.by_word.get, ends)]
     return next((role for role in roles if role and _fits(role, asset)), knowledge.roles[fallback(asset)])
 
 
-def _normal(text: str) -> str:
-    return " ".join(re.findall(r"[^\W_]+", text.lower()))
-
-
 def _fits(role: Role, asset: Asset) -> bool:
     """Whether the asset's flags allow any way of standing that the role knows."""
     allowed = {"hang": asset.on_wall, "ceiling": asset.on_ceiling, "rug": asset.on_floor and asset.size[2] <= 0.1}
-    if any(allowed.get(mode, asset.on_floor) for mode in role.stands):
-        return True
-    return any(join_allowed(join, asset) for join in role.joins)
+    stands = any(allowed.get(mode, asset.on_floor) for mode in role.stands)
+    return stands or any(_join_allowed(join, asset) for join in role.joins)
 
 
-def join_allowed(join: Join, asset: Asset) -> bool:
+def _join_allowed(join: Join, asset: Asset) -> bool:
     """Whether the asset's flags allow it to join in that way."""
     return asset.on_object if join.on_top else asset.on_floor
 
@@ -128,7 +123,7 @@ def _anchor(item: Cast, cast: Mapping[str, Cast], handy: Set[str]) -> tuple[str,
     """
     taken = Counter(one.anchor for one in cast.values() if one.role is item.role)
     for join in item.role.joins:
-        for wanted in join.of if join_allowed(join, item.asset) else ():
+        for wanted in join.of if _join_allowed(join, item.asset) else ():
             free = [
                 (-taken[name] if join.gather else taken[name], -_footprint(other.asset) * other.role.top, order, name)
                 for order, (name, other) in enumerate(cast.items())

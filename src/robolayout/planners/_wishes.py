@@ -200,9 +200,8 @@ class Wishes:
         if not all(0.0 < side <= LONGEST for side in size):
             shape = f"{' x '.join(f'{side:g}' for side in size)} m"
             raise SceneError(f"a {shown} of {shape} cannot be placed; give it sides above 0 and at most {LONGEST:g} m.")
-        return self._as_placed(
-            thing, replace(kind, name=shown, like=kind.like or (name if shown != name else ""), size=size)
-        )
+        like = kind.like or (name if shown != name else "")
+        return self._as_placed(thing, replace(kind, name=shown, like=like, size=size))
 
     def _as_placed(self, thing: Thing, kind: Category) -> Category:
         """Return a kind as it is where it is asked to be: on a thing, under the ceiling, flat on a wall, on one of its own."""
@@ -283,12 +282,9 @@ def _room(reading: Reading, rooms: Rooms) -> tuple[RoomType, list[str]]:
 def _belongs(kinds: set[str], room: RoomType) -> float:
     """Return how many of some kinds belong in a room; what always stands there counts double, and lacks where it is missing."""
     found = len(kinds & room.base.keys()) + len(kinds & {*room.base, *room.extras, *room.person})
-    lights_and_rugs = {
-        kind.name
-        for kind in CATALOGUE.values()
-        if kind.size[2] < FLAT_HEIGHT or (kind.on_ceiling and not kind.on_floor)
-    }
-    return found - LACKING * len({*room.base} - kinds - lights_and_rugs)
+    missing = (CATALOGUE.get(name) for name in room.base.keys() - kinds)
+    lights_and_rugs = [k for k in missing if k and (k.size[2] < FLAT_HEIGHT or (k.on_ceiling and not k.on_floor))]
+    return found - LACKING * (len(room.base.keys() - kinds) - len(lights_and_rugs))
 
 
 def _things(items: Iterable[Mention | Place]) -> list[Thing]:

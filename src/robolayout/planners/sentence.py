@@ -115,7 +115,7 @@ def scene_from_sentence(
     agent = wishes.reading.agent or wishes.room.agent
     bodies = agents or ([load_agent(agent)] if agent else [])
     added = Added(wishes, wished, wishes.floor(size), fill, bodies).things(rng)
-    height = _height(wishes, [wishes.kinds[name] for name in (*wished, *added)])
+    height = _height(wishes, (wishes.kinds[name].size[2] for name in (*wished, *added)))
     assumed = (*wishes.guesses, *_assumed(wishes, size, height, [wishes.kinds[name] for name in wished]))
     kind = wishes.room.of or wishes.room.name
     found = Understanding(
@@ -171,10 +171,8 @@ def _people(wishes: Wishes, wished: dict[str, int]) -> int:
     taken |= {"computer"} if "desk" in taken else set()
     if "desk" in taken and wishes.seats:
         taken = {"desk"}  # who sits at the table also has a desk
-    tables = {name: count for name, count in wished.items() if room.tables and head(name) == "table"}
-    seats = sum(
-        count * (2 if max(wishes.kinds[name].size[:2]) <= SIZES.for_two else 4) for name, count in tables.items()
-    )
+    tables = [(wishes.kinds[name], n) for name, n in wished.items() if room.tables and head(name) == "table"]
+    seats = sum(count * (2 if max(kind.size[:2]) <= SIZES.for_two else 4) for kind, count in tables)
     return max((count for name, count in wished.items() if head(name) in taken), default=seats or _usual_people(wishes))
 
 
@@ -240,11 +238,11 @@ def _possible(wishes: Wishes, wished: Mapping[str, int], size: tuple[float, floa
             )
 
 
-def _height(wishes: Wishes, things: Iterable[Category]) -> float:
+def _height(wishes: Wishes, things: Iterable[float]) -> float:
     """Return the wall height in metres: as asked, or as usual, or enough for the tallest thing."""
-    tallest = max((kind.size[2] for kind in things), default=0.0)
     given = wishes.reading.measure("height")
-    return given[0] if given else max(wishes.room.height, math.ceil(10 * (1.07 * tallest + 0.2)) / 10)
+    enough = math.ceil(10 * (1.07 * max(things, default=0.0) + 0.2)) / 10
+    return given[0] if given else max(wishes.room.height, enough)
 
 
 def _assumed(wishes: Wishes, size: tuple[float, float], height: float, wished: Iterable[Category]) -> Iterator[str]:
