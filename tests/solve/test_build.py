@@ -106,6 +106,24 @@ def test_a_long_chain_that_fits_nowhere_is_taken_apart_link_by_link(monkeypatch:
     assert placed.count("cabinet-6") <= placed.count("cabinet-0")  # had doubled from link to link
 
 
+@pytest.mark.parametrize(
+    ("covered", "said"),
+    [
+        (Asset("rug-0", "rug", (1.4, 2.0, 0.01)), "under(rug[0], [table[0]])"),
+        (
+            Asset("lamp-0", "ceiling lamp", (0.4, 0.4, 0.3), on_floor=False, on_ceiling=True),
+            "ceiling_above(lamp[0], table[0])",
+        ),
+    ],
+)
+def test_a_thing_stands_where_what_lies_under_it_or_hangs_over_it_is_asked_to_be(covered: Asset, said: str) -> None:
+    scene = Scene(ROOM, (Asset("table-0", "table", (0.8, 1.2, 0.75)), covered))
+    there = f"distance_constraint({covered.name[:-2]}[0], AssetInstance(position=[1.6, 2.6, 0]), max_distance=0.3)"
+    program = read_program(f"solver.align_with(table[0], room)\nsolver.{said}\nsolver.{there}", scene)
+    report = verify(scene, compile_problem(scene, program).guess, program)
+    assert all(statement.met for statement in report.statements), report.statements
+
+
 SEATS = tuple(Asset(f"armchair-{i}", "armchair", (0.9, 0.98, 1.0)) for i in range(6))
 SCREEN = Asset("television-0", "television", (0.08, 1.2, 0.7), on_floor=False, on_wall=True)
 SMALL = Asset("side_table-0", "side table", (0.45, 0.45, 0.55))

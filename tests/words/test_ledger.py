@@ -155,6 +155,13 @@ def test_a_corner_is_told_by_the_door() -> None:
     assert verdict("The desk is in the corner nearest the door.", "relation", there) == "unmet"
 
 
+def test_a_thing_in_the_corner_by_a_window_is_by_the_window() -> None:
+    by, away = (Layout({**PLACED, "desk-0": Pose(4.4, y, 0.375, yaw)}) for y, yaw in ((3.65, -1.5708), (0.35, 1.5708)))
+    for layout, verdicts in ((by, ["met", "met"]), (away, ["met", "unmet"])):
+        rows = judged("The desk is in the corner by the window.", layout)
+        assert [row.verdict for row in rows if row.kind == "relation"] == verdicts
+
+
 @pytest.mark.parametrize(("words", "met"), [("opposite walls", (True, False)), ("the same wall", (False, False))])
 def test_two_things_are_at_walls_together(words: str, met: tuple[bool, bool]) -> None:
     text = f"The bed and the desk are against {words}."

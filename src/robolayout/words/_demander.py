@@ -48,6 +48,8 @@ class Demander(AtPlaces):
         # of these only the first stands where they are put
         self.stacked = {thing for link in links if link.relation == "stacked" for thing in named(link.subjects)}
         asked = [(link, self._asked(link)) for link in links]
+        in_corners = (it.subjects for _, it in asked if it.place is not None and it.place.name == "corner")
+        self.cornered = frozenset(name for subjects in in_corners for name in subjects)
         twos = [(link.relation, *two) for link, it in asked for two in it.twos if self._is(two[1], ("desk",))]
         hosted = any(
             self._is(asset.name, ways_of.SEATS) and not ways_of.visits(asset.category) for asset in scene.assets

@@ -107,6 +107,7 @@ class AtPlaces:
 
     def __init__(self, scene: Scene) -> None:
         self.scene, self.room = scene, scene.room
+        self.cornered = frozenset[str]()  # what is asked to be in a corner, perhaps one by a window
 
     def _asset(self, name: str) -> Asset:
         return self.scene.by_name[name]
@@ -143,6 +144,10 @@ class AtPlaces:
         elif place.name in ("window", "door"):
             gap = (ways_of.AT_WINDOW if place.name == "window" else ways_of.AT_DOOR) * wider
             yield from ((stated("near", ref, point, gap),) for point in self._points(place))
+            for opening in openings(self.room, place.name) if a in self.cornered else ():
+                ends = (opening.offset, opening.offset + opening.width)
+                points = (_point(self.room.walls[opening.wall].point(end)) for end in ends)
+                yield from ((stated("near", ref, point, ways_of.CORNER_BY),) for point in points)
         elif place.name == "middle":
             x0, y0, x1, y1 = self.room.bounds
             most = max(ways_of.LEAST_MIDDLE, ways_of.MIDDLE_SHARE * min(x1 - x0, y1 - y0)) * wider

@@ -8,6 +8,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from itertools import dropwhile, pairwise, takewhile
 
+from robolayout.scene import FLAT_HEIGHT
 from robolayout.words import _function_words as small
 from robolayout.words._about import About, sat_on
 from robolayout.words._chunk import NOTHING, Chunk
@@ -253,6 +254,8 @@ class Relating(About):
         to_it = named(self.holder) & named(objects)
         hangs = held and chunk.value == "above" and not {"floor", "object"} & {*self.holder[0].thing.places}
         laid = laid or bool(((sat and chunk.value in small.STANDING) or hangs) and objects and not to_it)
+        seats = held and bool(objects) and sat_on(self.group[-1])  # "a table with four chairs on a rug"
+        laid = laid or (seats and _over_or_under(chunk.value, objects[0]) and not to_it)
         swapped = (place or laid) and held and not (hung or (low and not hangs)) and subjects == self.group[-1:]
         return (self.holder if swapped else subjects), objects
 
@@ -410,3 +413,11 @@ class Relating(About):
     def _another(self) -> bool:
         noun = self._ahead(1).noun if self._ahead().kind == "and" else None
         return noun is not None and (noun.category.on_object or self._ahead(2).kind in ("", "stop"))
+
+
+def _over_or_under(relation: str, item: Mention | Place) -> bool:
+    """Return whether something is a rug that things are on, or hangs from the ceiling over them."""
+    if isinstance(item, Place):
+        return False
+    lies = item.thing.category.size[2] < FLAT_HEIGHT
+    return (relation == "on" and lies) or (relation == "under" and item.thing.places == ("ceiling",))

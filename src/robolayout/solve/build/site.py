@@ -90,6 +90,7 @@ class Site:
     corridor: float  # metres that the agent needs to pass
     said: Said  # what statements ask of places
     clusters: ClusterBuilder  # lays out what joins what
+    covers: Mapping[str, Sequence[str]]  # what lies under things or hangs over them
     spots: dict[str, Spot] = field(default_factory=dict[str, Spot])  # what is placed, by name, in the order of placing
     spans: list[Span] = field(default_factory=list["Span"])  # what the placed things cover of the walls
     standings: tuple[Standing, ...] = ()  # where each agent gets to, once the floor is furnished
@@ -112,7 +113,11 @@ class Site:
         corridor = max(0.6, 2 * max(agent.radius for agent in scene.agents) + 0.1)
         floor = Floor.of(scene.room, corridor, max(turning_radius(agent) for agent in scene.agents))
         forms, said, clusters = Forms(scene, wants, corridor), Said.of(scene, program), ClusterBuilder(scene, wants)
-        site = Site(scene, wants, floor, forms, corridor, said, clusters, late=frozenset(late(wants)))
+        covers: dict[str, list[str]] = {}
+        for want in wants.values():
+            if want.over and (want.asset.is_flat or want.overhead):
+                covers.setdefault(want.over[0], []).append(want.name)
+        site = Site(scene, wants, floor, forms, corridor, said, clusters, covers, late=frozenset(late(wants)))
         site.solids += [shapely.Polygon(scene.room.landing(door)) for door in scene.room.doors]
         return site
 
@@ -131,8 +136,12 @@ class Site:
         )
 
     def missed(self, members: Sequence[Member], poses: Poses) -> Poses:
-        """Return the cost (n,) of places of things in one frame by what is said and they miss."""
-        return self.said.missed(members, poses, {name: spot.member for name, spot in self.spots.items()})
+        """Return the cost (n,) of places of things in one frame by what is said and they, or what goes under or over them, miss."""
+        placed = {name: spot.member for name, spot in self.spots.items()}
+        own = (
+            replace(one, name=name) for one in members for name in self.covers.get(one.name, ()) if name not in placed
+        )
+        return self.said.missed([*members, *own], poses, placed)
 
     @property
     def room(self) -> Room:
