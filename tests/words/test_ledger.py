@@ -155,6 +155,24 @@ def test_a_corner_is_told_by_the_door() -> None:
     assert verdict("The desk is in the corner nearest the door.", "relation", there) == "unmet"
 
 
+def test_what_is_under_a_window_has_its_back_at_the_wall() -> None:
+    free = Layout({**PLACED, "desk-0": Pose(2.5, 3.2, 0.375, -1.5708)})
+    assert verdict("The desk is by the window.", "relation", free) == "met"
+    assert verdict("The desk is under the window.", "relation", free) == "unmet"
+    assert verdict("The desk is under the window.", "relation") == "met"
+
+
+@pytest.mark.parametrize(("y", "met"), [(3.97, "unmet"), (0.5, "unmet"), (2.0, "met")])
+def test_a_screen_at_one_end_of_a_table_hangs_where_that_is_long(y: float, met: str) -> None:
+    table = Asset("table-0", "dining table", (2.2, 1.0, 0.75))
+    screen = Asset("television-0", "television", (0.06, 1.2, 0.7), on_floor=False, on_wall=True)
+    x, yaw = (2.5, -1.5708) if y > 3.0 else (4.97, 3.1416)
+    layout = Layout({"table-0": Pose(2.5, 2.0, 0.375, 0.0), "television-0": Pose(x, y, 1.5, yaw)})
+    scene = Scene(ROOM, (table, screen), "A TV on the wall at one end of the table.")
+    rows = [row for row in read_words(scene).judged(scene, layout) if "end" in row.words]
+    assert [row.verdict for row in rows] == [met]
+
+
 def test_a_thing_in_the_corner_by_a_window_is_by_the_window() -> None:
     by, away = (Layout({**PLACED, "desk-0": Pose(4.4, y, 0.375, yaw)}) for y, yaw in ((3.65, -1.5708), (0.35, 1.5708)))
     for layout, verdicts in ((by, ["met", "met"]), (away, ["met", "unmet"])):

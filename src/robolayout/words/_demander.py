@@ -105,7 +105,8 @@ class Demander(AtPlaces):
             return
         on, share = relation in ("on", "wall", "hanging"), len(it.subjects) > 1 and relation != "flank"
         share = share or not self.manned.isdisjoint(it.subjects)  # somebody sits between
-        yield from self._at_place(it.subjects, it.place, on=on, share=share)
+        under = relation == "under" and it.place.name == "window"
+        yield from self._at_place(it.subjects, it.place, on=on, share=share, under=under)
 
     def _to_another(self, relation: str, it: Asked) -> list[tuple[str, str]]:
         """Return each two of which the second says where the first stands: one thing to several, the middle one of a row."""
@@ -219,6 +220,9 @@ class Demander(AtPlaces):
 
     def _ways(self, relation: str, a: str, b: str) -> ways_of.Ways:
         """Return what a relation asks for; before a desk behind which somebody sits is the other side of it, where one looks at it."""
+        if relation == "end" and self._only_wall(a):
+            depth, width, _ = self._asset(b).size
+            return ways_of.END_WALLS[width >= depth]  # "a screen on the wall at one end of the table"
         if relation != "front" or b not in self.manned:
             return ways_of.TO_ANOTHER[relation]
         return (ways_of.ACROSS_A_DESK[0 if self._is(a, ways_of.SEATS) else 1],)
@@ -388,7 +392,7 @@ class Demander(AtPlaces):
         return self._on_each(a, b) if on else single(stated("near", AssetRef(a), AssetRef(b), ways_of.BESIDE))
 
     def _at_place(
-        self, subjects: Sequence[str], place: Place, *, on: bool = False, share: bool = False
+        self, subjects: Sequence[str], place: Place, *, on: bool = False, share: bool = False, under: bool = False
     ) -> Iterator[Demand]:
         """Yield that things stand at a place of the room; where several share it, each somewhat farther from its middle."""
         together = "same" in place.words or (place.plural and "opposite" in place.words)
@@ -399,7 +403,7 @@ class Demander(AtPlaces):
         elif len(corners) == len(subjects) > 1:
             yield from (single(stated("corner", AssetRef(a), i)) for a, i in zip(subjects, corners, strict=True))
         else:
-            found = (tuple(self._ways_at(a, place, on=on, share=share)) for a in subjects)
+            found = (tuple(self._ways_at(a, place, on=on, share=share, under=under)) for a in subjects)
             yield from (Demand(ways) for ways in found if ways)
 
     def _atwalls(self, it: Asked) -> Iterator[Demand]:

@@ -134,8 +134,8 @@ class AtPlaces:
                     both = [*((a, one) for a in there), *((a, two) for a in subjects)]
                     yield tuple(stated(self._held(a, on), AssetRef(a), WallRef(wall.index)) for a, wall in both)
 
-    def _ways_at(self, a: str, place: Place, *, on: bool, share: bool) -> Iterator[Way]:
-        """Yield the ways in which one thing can be at a place of the room."""
+    def _ways_at(self, a: str, place: Place, *, on: bool, share: bool, under: bool = False) -> Iterator[Way]:
+        """Yield the ways in which one thing can be at a place of the room; `under` a window it stands at its wall."""
         ref, wider = AssetRef(a), 1.5 if share else 1.0
         if place.name == "wall":
             yield from self._ways_at_a_wall(a, place, on=on)
@@ -143,7 +143,10 @@ class AtPlaces:
             yield from ((stated("corner", ref, vertex),) for vertex in corners_meant(self.room, place))
         elif place.name in ("window", "door"):
             gap = (ways_of.AT_WINDOW if place.name == "window" else ways_of.AT_DOOR) * wider
-            yield from ((stated("near", ref, point, gap),) for point in self._points(place))
+            under = under and self._asset(a).on_floor and not self._asset(a).is_flat
+            for opening, point in zip(openings(self.room, place.name), self._points(place), strict=True):
+                held = (stated("against_wall", ref, WallRef(opening.wall)),) if under else ()
+                yield (stated("near", ref, point, gap), *held)
             for opening in openings(self.room, place.name) if a in self.cornered else ():
                 ends = (opening.offset, opening.offset + opening.width)
                 points = (_point(self.room.walls[opening.wall].point(end)) for end in ends)

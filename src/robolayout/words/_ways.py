@@ -23,6 +23,12 @@ AHEAD, BACK, BACK_WALL = 1.5, 1.2, 2.0
 ACROSS = 12.0
 """Metres that may lie between two things that are opposite to each other."""
 
+END_WALLS = {
+    long: tuple(((side, 0.0, ACROSS),) for side in sides)
+    for long, sides in ((True, ("left_of", "right_of")), (False, ("in_front_of", "behind")))
+}
+"""On the wall at an end of a thing, by whether that is wider than deep."""
+
 FAR_SHARE, MIDDLE_SHARE = 0.4, 0.2
 """Shares of the room's longest and shortest side: least distance of "far from", most distance of "in the middle"."""
 
