@@ -124,6 +124,15 @@ def test_a_thing_stands_where_what_lies_under_it_or_hangs_over_it_is_asked_to_be
     assert all(statement.met for statement in report.statements), report.statements
 
 
+def test_what_misses_what_is_said_of_it_is_placed_first_in_the_next_attempt() -> None:
+    text = "A nursery of 3.6 x 3.8 m with a crib, a rocking chair in the corner next to a small bookcase and a changing table"
+    scene, _ = scene_from_sentence(text)
+    asked = read_words(scene).demands
+    program = reconcile(read_program(OfflinePlanner().plan(PlanRequest(scene, asked=asked)), scene), scene).program
+    report = verify(scene, compile_problem(scene, program).guess, program)
+    assert all(statement.met for statement in report.statements), "the bookcase and what is larger took all corners"
+
+
 SEATS = tuple(Asset(f"armchair-{i}", "armchair", (0.9, 0.98, 1.0)) for i in range(6))
 SCREEN = Asset("television-0", "television", (0.08, 1.2, 0.7), on_floor=False, on_wall=True)
 SMALL = Asset("side_table-0", "side table", (0.45, 0.45, 0.55))

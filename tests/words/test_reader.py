@@ -332,6 +332,10 @@ def test_counts(text: str, counts: dict[str, int]) -> None:
         ("North wall: a bed. South wall: a desk with a chair.", {("on", "bed", "wall"), ("on", "desk", "wall"), ("with", "chair", "desk")}),
         ("In the corner near the window is a plant.", {("in", "plant", "corner"), ("near", "plant", "window")}),
         ("The bed doesn't touch any wall.", {("apart", "bed", "wall")}),
+        (
+            "Two bookshelves and a reading table with four chairs in front of them.",
+            {("front", "dining table", "bookshelf"), ("with", "chair", "dining table")},
+        ),
         ("A table with two chairs on a rug", {("on", "dining table", "rug"), ("with", "chair", "dining table")}),
         ("A sofa with a coffee table on a rug", {("on", "coffee table", "rug")}),
         ("A table with six chairs under a pendant lamp", {("under", "dining table", "pendant lamp"), ("with", "chair", "dining table")}),

@@ -251,6 +251,17 @@ class Relating(About):
         hung = place and chunk.value in ("on", "hanging")  # "a sofa with the TV on the wall"
         low = held and not topped(self.group[-1]) and not self.holder[0].thing.category.on_floor
         sat = held and sat_on(self.group[-1]) and self.holder[0].thing.head in TOPS
+        others = [
+            m for m in objects if isinstance(m, Mention) and m.thing.count > 1 and m.thing not in named(self.holder)
+        ]
+        if (
+            sat
+            and chunk.value in small.STANDING
+            and others
+            and self._ahead(-1).kind == "pron"
+            and self.holder[0].thing.count == 1
+        ):
+            objects = list[Mention | Place](others)  # "two shelves and a table with four chairs in front of them"
         to_it = named(self.holder) & named(objects)
         hangs = held and chunk.value == "above" and not {"floor", "object"} & {*self.holder[0].thing.places}
         laid = laid or bool(((sat and chunk.value in small.STANDING) or hangs) and objects and not to_it)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import partial
 
@@ -93,10 +93,11 @@ class _Step:
 
 
 class Attempt:
-    """One pass over all assets."""
+    """One pass over all assets; what is to be placed `first` missed what is said of it in a pass before."""
 
-    def __init__(self, site: Site, rng: np.random.Generator, *, calm: bool) -> None:
+    def __init__(self, site: Site, rng: np.random.Generator, *, calm: bool, first: Collection[str] = ()) -> None:
         self.base = site.copy()
+        self.first = first
         self.site = site
         self.rng = rng
         self.calm = calm
@@ -126,6 +127,11 @@ class Attempt:
     def serves(self) -> bool:
         """Whether everything is reached and used, and every door and drawer opens."""
         return _harm(self.site) < COSTS.unreached and all(step.cost < COSTS.shut for step in self.steps)
+
+    @property
+    def missed(self) -> set[str]:
+        """What stands where it misses what is said of it."""
+        return {step.cluster.anchor for step in self.steps if step.cluster is not None and step.cost >= MISSED}
 
     def _move_some(self) -> bool:
         """Take some clusters out and put each where it is less in the way; False if nothing gets better."""
@@ -181,10 +187,18 @@ class Attempt:
         by_kind: dict[str, list[Want]] = {}
         for item in self.site.wants.values():
             alone = item.anchor is None or (item.anchor in self.base.spots and item.asset.on_floor)
+            alone = alone or (item.name in self.first and self._stands_alone(item.name))
             if alone and item.name not in self.site.spots and (item.name in self.site.late) == last:
                 by_kind.setdefault(item.kind, []).append(item)
         nudge = 0.0 if self.calm else COSTS.shuffle
-        turns = [(turn + nudge * self.rng.normal(), turn, items) for turn, items in enumerate(by_kind.values())]
+        turns = [
+            (
+                turn + nudge * self.rng.normal() - len(by_kind) * any(item.name in self.first for item in items),
+                turn,
+                items,
+            )
+            for turn, items in enumerate(by_kind.values())
+        ]
         for *_, items in turns:
             items.sort(key=lambda item: -item.asset.size[0] * item.asset.size[1])
         return [items for *_, items in sorted(turns, key=lambda entry: entry[:2])]
@@ -201,14 +215,22 @@ class Attempt:
         for name in hung:
             there += lay_on(self.site, name)
         self.steps += [_Step(partial(Site.settle, name=name, spot=self.site.spots[name])) for name in there]
-        clusters = [self.site.clusters.build(name) for name in standing]
+        apart = [name for name in self.first if name not in standing and self._stands_alone(name)]
+        clusters = [self._without_own(self.site.clusters.build(name), apart) for name in standing]
         if not clusters:
             return
-        weights, modes = self._weights(items[0].weights), _modes(items[0])
+        weights, modes = self._weights(items[0].weights), self._modes(items[0])
         if items[0].rows is not None:
             clusters = self._in_rows(clusters, modes, weights)
         for cluster in clusters:
             self._place(cluster, self._open_to(cluster, modes), weights)
+
+    def _modes(self, item: Want) -> Modes:
+        """Return the ways of standing of a thing, at what it joins if that is there."""
+        if item.anchor is None or item.anchor not in self.site.spots:
+            return item.stands
+        alone = {mode: cost + COSTS.elsewhere for mode, cost in item.stands.items()} if item.loose else {}
+        return {"slot": 0.0, "join": COSTS.elsewhere} | alone
 
     def _open_to(self, cluster: Cluster, modes: Modes) -> Modes:
         """Return the ways of standing that a cluster is open to: all, where in none of its own it meets what the user asks."""
@@ -382,14 +404,6 @@ class Attempt:
         self.steps.append(_Step(put, best[0] * len(clusters) ** 0.5 + COSTS.stray * strays))
         put(self.site)
         return True
-
-
-def _modes(item: Want) -> Modes:
-    """Return the ways of standing of a thing, at what it joins if it joins anything."""
-    if item.anchor is None:
-        return item.stands
-    alone = {mode: cost + COSTS.elsewhere for mode, cost in item.stands.items()} if item.loose else {}
-    return {"slot": 0.0, "join": COSTS.elsewhere} | alone
 
 
 def _harm(site: Site) -> float:

@@ -57,15 +57,17 @@ def _furnish(empty: Site, given: Mapping[str, Pose], seed: int) -> Site:
     The floor is furnished in every attempt, walls and ceiling only in the best one. It is good enough after `ATTEMPTS.patience`
     attempts without one that is better by `ATTEMPTS.worth`, or `ATTEMPTS.hope` where it does not serve. Where something is out of the way,
     single things are moved once more; a room that serves then is good enough at once. A hopeless room gets `ATTEMPTS.enough` attempts.
+    What misses what is said of it in one attempt is placed first in those that follow.
     """
     count = len(empty.scene.assets)
     best: tuple[float, Attempt] | None = None
-    leap, forlorn = (math.inf, 0), True
+    leap, forlorn, missed = (math.inf, 0), True, set[str]()
     for number in range(attempts(count)):
         site = empty.copy()
         _keep(site, given)
-        attempt = Attempt(site, np.random.default_rng((seed, number)), calm=number == 0 and seed == 0)
+        attempt = Attempt(site, np.random.default_rng((seed, number)), calm=number == 0 and seed == 0, first=missed)
         cost = attempt.furnish_floor()
+        missed |= attempt.missed
         if best is None or cost < best[0]:
             best = (cost, attempt)
         forlorn = forlorn and len(attempt.site.unreached()) > ATTEMPTS.forlorn * count
