@@ -155,6 +155,13 @@ def test_a_corner_is_told_by_the_door() -> None:
     assert verdict("The desk is in the corner nearest the door.", "relation", there) == "unmet"
 
 
+def test_two_things_are_on_opposite_sides_of_the_room() -> None:
+    words = "The bed and the desk are on opposite sides of the room."
+    assert verdict(words, "relation") == "unmet"
+    there = Layout({**PLACED, "desk-0": Pose(4.62, 2.0, 0.375, 3.1416)})
+    assert verdict(words, "relation", there) == "met"
+
+
 def test_what_is_under_a_window_has_its_back_at_the_wall() -> None:
     free = Layout({**PLACED, "desk-0": Pose(2.5, 3.2, 0.375, -1.5708)})
     assert verdict("The desk is by the window.", "relation", free) == "met"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 
 from robolayout.words import _function_words as small
@@ -50,7 +51,7 @@ class ClosedWords:
         if sided and following and following not in MARKS:
             leads = following in small.DETERMINERS or count_of(following) is not None
             return leads or following in (*small.JOINING, *small.ALONE_DOES, "there", "with", "are", "stand")
-        if "long side" in phrase and "room" in self.words[end : end + 3]:
+        if re.search("long side|oppos[a-z]* (sides|ends)", phrase) and "room" in self.words[end : end + 3]:
             return False
         if phrase in ("round", "all round"):
             walked = self._word(end - len(phrase.split()) - 1) in ("walk", "move", "go", "get", "way")
