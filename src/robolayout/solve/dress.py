@@ -11,8 +11,8 @@ import math
 import random
 import zlib
 from collections import Counter
-from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, replace
 from itertools import count, product
 from typing import Any
 
@@ -28,6 +28,12 @@ from robolayout.assets.prisms import piece_spans, prisms_of
 from robolayout.assets.surfaces import SURFACES, hung_from
 from robolayout.scene import DRESSINGS, Asset, Layout, Pose, Scene, variable_name
 from robolayout.scene.asset import LIES_ABOUT
+
+Rule = Mapping[str, Any]
+"""A table of the data: what lies on which surfaces, and how."""
+
+Spot = tuple[float, float, float]
+"""Metres ahead and to the left of the carrier's middle, and the angle by which a thing is turned there."""
 
 AMOUNTS: Mapping[str, float] = dict(zip(DRESSINGS, (0.0, 0.4, 1.0), strict=True))
 """How much lies about: which share of the surfaces, and of what fits on them."""
@@ -61,6 +67,9 @@ class DressConfig:
 
 DRESS = DressConfig()
 
+AROUND = 0.9 * DRESS.gap
+"""Metres that are kept free about a thing, unless it stands close to others."""
+
 
 @dataclass(frozen=True)
 class Dressed:
@@ -85,20 +94,6 @@ def dress(scene: Scene, layout: Layout, amount: str = "full", *, seed: int = 0) 
     return _Dresser(scene, layout, AMOUNTS[amount], seed).run()
 
 
-def _rules(kind: str, words: str) -> list[Mapping[str, Any]]:
-    """Return the rules for a kind of carrier in a room of which some words are known."""
-    return [
-        rule
-        for rule in read_data("dressing.toml")["rule"]
-        if kind in rule["on"] and any(word in words for word in rule.get("rooms", [""]))
-    ]
-
-
-def _clears(rules: Sequence[Mapping[str, Any]]) -> tuple[str, ...]:
-    """Return what is drawn on a carrier and makes room for real things."""
-    return tuple(dict.fromkeys(part for rule in rules for part in rule.get("clears", ())))
-
-
 @dataclass
 class _Place:
     """A surface that is being dressed, in the frame of its carrier."""
@@ -118,80 +113,74 @@ class _Dresser:
     layout: Layout
     amount: float
     seed: int
-    without: dict[str, tuple[str, ...]] = field(default_factory=dict[str, tuple[str, ...]])
+
+    def __post_init__(self) -> None:
+        self._data: Rule = read_data("dressing.toml")
+        self._standing = [(a, self.layout[a.name]) for a in self.scene.assets if a.name in self.layout]
+        self._had = {category_of(asset).name for asset in self.scene.assets} & set(self._data["once"])
+        self._without: dict[str, tuple[str, ...]] = {}
+        self._lists: dict[str, Iterator[int]] = {}
+        self._count: Counter[str] = Counter()
 
     def run(self) -> Dressed:
-        words = f"{self.scene.name} {self.scene.task_description}".lower().replace("_", " ")
-        standing = [asset for asset in self.scene.assets if asset.name in self.layout and not asset.is_flat]
-        rules = {asset.name: _rules(category_of(asset).name, words) for asset in standing}
-        standing.sort(key=lambda a: zlib.crc32(utf8(f"{self.seed}/{a.name}")))
-        shown = [asset for asset in standing if _clears(rules[asset.name])]
-        plain = [asset for asset in standing if not _clears(rules[asset.name])]
+        ranked = sorted(self._standing, key=lambda one: zlib.crc32(utf8(f"{self.seed}/{one[0].name}")))
+        ruled = [(asset, self._rules(asset)) for asset, _ in ranked if not asset.is_flat]
+        had = len(self._standing)
         # tops before insides; shelves last: those for which nothing is left keep what is drawn on them
-        count = len(self._standing)
-        for asset, covered in [*product(plain, (False,)), *product(plain, (True,)), *product(shown, (None,))]:
-            self._asset(asset, rules[asset.name], covered)
-            if len(self._standing) >= count + DRESS.most:
-                break
-        laid = self._standing[count : count + DRESS.most]
-        bare = tuple(replace(a, without=self.without.get(a.name, a.without)) for a in self.scene.assets)
+        for covered, (asset, rules) in product((False, True, None), ruled):
+            clears = tuple(dict.fromkeys(part for rule in rules for part in rule.get("clears", ())))
+            if bool(clears) == (covered is None) and len(self._standing) < had + DRESS.most:
+                self._asset(asset, rules, clears, covered)
+        laid = self._standing[had : had + DRESS.most]
+        bare = tuple(replace(a, without=self._without.get(a.name, a.without)) for a in self.scene.assets)
         scene = replace(self.scene, assets=(*bare, *(asset for asset, _ in laid)))
         layout = Layout({**self.layout, **{asset.name: pose for asset, pose in laid}})
         return Dressed(scene, layout, tuple(asset.name for asset, _ in laid))
 
-    def __post_init__(self) -> None:
-        self._standing = [(a, self.layout[a.name]) for a in self.scene.assets if a.name in self.layout]
-        self._had = {category_of(asset).name for asset in self.scene.assets} & set(read_data("dressing.toml")["once"])
-        self._lists: Counter[str] = Counter()
-        self._count: Counter[str] = Counter()
+    def _rules(self, asset: Asset) -> list[Rule]:
+        """Return the rules for a carrier in this room."""
+        words = f"{self.scene.name} {self.scene.task_description}".lower().replace("_", " ")
+        mine = [rule for rule in self._data["rule"] if category_of(asset).name in rule["on"]]
+        return [rule for rule in mine if any(word in words for word in rule.get("rooms", [""]))]
 
-    def _asset(self, asset: Asset, rules: Sequence[Mapping[str, Any]], covered: bool | None) -> None:
+    def _asset(self, asset: Asset, rules: list[Rule], clears: tuple[str, ...], covered: bool | None) -> None:
         """Dress one thing, only what is covered or open of it, or all: it is cleared of what is drawn on it, then filled."""
-        clears = _clears(rules)
         rng = random.Random(utf8(f"{self.seed}/{asset.name}"))
         if clears and rng.random() > self.amount:
             return  # it stays as it is drawn
         if clears and asset.path is None:
-            self.without[asset.name] = (*asset.without, *clears)
-            asset = replace(asset, without=self.without[asset.name])
+            self._without[asset.name] = (*asset.without, *clears)
+            asset = replace(asset, without=self._without[asset.name])
         for surface in surfaces_of(asset):
             word = surface.name.split()[0]
             rule = next((rule for rule in rules if rule["where"] in (word, "any")), None)
             meant = covered is None or covered == surface.covered
             if rule is not None and meant and (rng.random() < self.amount or clears or rule["put"] == "places"):
-                self._surface(asset, surface, rule, rng)
+                place = _Place(asset, self.layout[asset.name], surface, self._free(asset, surface), rng)
+                for part in () if place.free.is_empty else (rule, *rule.get("also", ())):
+                    if rng.random() < part.get("chance", 1.0):
+                        getattr(self, f"_{part['put']}")(place, part)  # one of the methods below
 
-    def _surface(self, asset: Asset, surface: Surface, rule: Mapping[str, Any], rng: random.Random) -> None:
-        pose = self.layout[asset.name]
-        inner = surface.region
+    def _free(self, asset: Asset, surface: Surface) -> BaseGeometry:
+        """Return what of a surface may be taken, in the carrier's frame: not its edge, nor where something stands already."""
+        inner, pose = surface.region, self.layout[asset.name]
         if not surface.is_hook:
             inner = inner.buffer(DRESS.slack - DRESS.edge, join_style="mitre")
-        free = inner.difference(self._taken(asset, pose, surface))
-        if free.is_empty:
-            return
-        place = _Place(asset, pose, surface, free, rng)
-        for part in (rule, *rule.get("also", ())):
-            if rng.random() < part.get("chance", 1.0):
-                getattr(self, f"_{part['put']}")(place, part)  # one of the methods below
-
-    def _taken(self, asset: Asset, pose: Pose, surface: Surface) -> BaseGeometry:
-        """Return what of a surface is covered by what stands there already, in the carrier's frame."""
         level = pose.z - asset.size[2] / 2 + surface.height
         top, near = level + min(surface.free, DRESS.above), math.hypot(*asset.size[:2]) / 2
         corners = [
             np.array([(c, s), (-s, c)]).T @ np.array(prism.outline).T + [[place.x], [place.y]]
             for other, place in self._standing
-            if other.name != asset.name
-            and math.hypot(place.x - pose.x, place.y - pose.y) < near + math.hypot(*other.size[:2]) / 2
+            if other.name != asset.name and math.dist(place.at, pose.at) < near + math.hypot(*other.size[:2]) / 2
             for (c, s), bottom in [(place.forward, place.z - other.size[2] / 2)]
             for prism in prisms_of(other)
             if bottom + prism.high > level + 1e-6 and bottom + prism.low < top
         ]
         if not corners:
-            return Polygon()
-        (c, s), middle = pose.forward, (pose.x, pose.y)
+            return inner
+        (c, s), middle = pose.forward, pose.at
         own = (np.array(corners).transpose(0, 2, 1) - middle) @ np.array([[c, -s], [s, c]])
-        return shapely.union_all(shapely.buffer(shapely.polygons(own), DRESS.gap, join_style="mitre"))
+        return inner.difference(shapely.union_all(shapely.buffer(shapely.polygons(own), DRESS.gap, join_style="mitre")))
 
     def _kind(self, place: _Place, things: Mapping[str, float], wide: float = math.inf) -> Asset | None:
         """Return one of the things that fit under what covers a surface, and into a width one way round or the other, in a size
@@ -208,7 +197,7 @@ class _Dresser:
         tall = min(height * place.rng.uniform(least, 2 - least), room)
         return Asset("", kind, (round(depth * scale, 4), round(width * scale, 4), round(tall, 4)))
 
-    def _row(self, place: _Place, rule: Mapping[str, Any]) -> None:
+    def _row(self, place: _Place, rule: Rule) -> None:
         """Stand things side by side along the front edge, runs of one kind; those of `tight` close, each in its own size."""
         y, ahead, end = (place.surface.rectangle[i] + sign * DRESS.edge for i, sign in ((1, 1), (2, -1), (3, -1)))
         while (thing := self._kind(place, rule["things"], end - y)) is not None:
@@ -221,14 +210,14 @@ class _Dresser:
             for _ in range(runs):
                 deep, across = thing.size[1::-1] if turn else thing.size[:2]
                 spot = (ahead - deep / 2, y + across / 2, turn)
-                if not self._put(place, thing, spot, own, gap=2 * gap if tight else None, rule=rule):
+                if not self._put(place, thing, spot, own, rule, DRESS.close if tight else AROUND):
                     y += across / 2
                     break
                 y += across + gap
                 thing = (self._kind(place, {thing.category: 1}) if tight else thing) or thing
             y += place.rng.uniform(*DRESS.loose)
 
-    def _back(self, place: _Place, rule: Mapping[str, Any]) -> None:
+    def _back(self, place: _Place, rule: Rule) -> None:
         """Stand things along the back edge, with room between them."""
         behind, y, _, end = place.surface.rectangle
         y += place.rng.uniform(*DRESS.spread)
@@ -245,19 +234,19 @@ class _Dresser:
             own = self._variable(thing.category)
             x = behind + DRESS.edge + deep + place.rng.uniform(*DRESS.loose)
             for ahead in DRESS.ahead:  # a mirror on the wall, a lamp, or a screen may stand behind
-                if self._put(place, thing, (x + ahead, y + half, askew), own, rule=rule):
+                if self._put(place, thing, (x + ahead, y + half, askew), own, rule):
                     break
             share = max(rule.get("fill", 0.5) * (0.4 + 0.6 * self.amount), 0.05)
             y += 2 * half + place.rng.uniform(*DRESS.spread) / share / 2
 
-    def _middle(self, place: _Place, rule: Mapping[str, Any]) -> None:
+    def _middle(self, place: _Place, rule: Rule) -> None:
         """Stand one thing in the middle."""
         thing = self._kind(place, rule["things"])
         if thing is not None:
             middle = place.surface.region.centroid
-            self._put(place, thing, (middle.x, middle.y, 0.0), self._variable(thing.category))
+            self._put(place, thing, (middle.x, middle.y, 0.0), self._variable(thing.category), rule)
 
-    def _about(self, place: _Place, rule: Mapping[str, Any]) -> None:
+    def _about(self, place: _Place, rule: Rule) -> None:
         """Put things down anywhere."""
         x0, y0, x1, y1 = place.surface.region.bounds
         for _ in range(max(1, round(rule["fill"] * self.amount * place.rng.uniform(0.6, 1.2)))):
@@ -270,22 +259,20 @@ class _Dresser:
                 half = np.abs(Pose(0.0, 0.0, 0.0, turn).corners(thing.size)).max(axis=0) + DRESS.edge
                 (dx, dy), at = half.tolist(), place.rng.uniform
                 x, y = at(x0 + dx, max(x1 - dx, x0 + dx)), at(y0 + dy, max(y1 - dy, y0 + dy))
-                if self._put(place, thing, (x, y, turn), self._variable(thing.category), rule=rule):
+                if self._put(place, thing, (x, y, turn), self._variable(thing.category), rule):
                     break
 
-    def _places(self, place: _Place, rule: Mapping[str, Any]) -> None:
+    def _places(self, place: _Place, rule: Rule) -> None:
         """Put a set before every seat that faces the surface: first the plates of all, then what lies beside them."""
         seats = [seat for seat in self._seats(place) if place.rng.random() <= 0.5 + 0.5 * self.amount]
-        parts = read_data("dressing.toml")["sets"][rule["set"]]
+        parts = self._data["sets"][rule["set"]]
         for kind, ahead, aside, turn in parts:
-            thing, served = Asset("", kind, CATALOGUE[kind].size), list[tuple[tuple[float, float], float]]()
-            for edge, facing in seats:
-                c, s = math.cos(facing), math.sin(facing)
-                away = ahead + thing.size[0] / 2
-                x, y = edge[0] + c * away + s * aside, edge[1] + s * away - c * aside
-                at = (x, y, facing + math.pi + math.radians(turn))
-                if self._put(place, thing, at, self._variable(kind)) or self._lies(place, kind, (x, y)):
-                    served.append((edge, facing))
+            thing, served = Asset("", kind, CATALOGUE[kind].size), list[Pose]()
+            for seat in seats:
+                x, y = seat.point(ahead + thing.size[0] / 2, -aside)
+                at = (x, y, seat.yaw + math.pi + math.radians(turn))
+                if self._put(place, thing, at, self._variable(kind), rule) or self._lies(place, kind, (x, y)):
+                    served.append(seat)
             if kind == parts[0][0]:
                 seats = served  # where something else lies already, nothing is set
 
@@ -293,35 +280,29 @@ class _Dresser:
         """Return whether a thing of a kind stands within its own size of a point of a surface."""
         point, near = place.pose.point(*at), max(CATALOGUE[kind].size[:2])
         same = (its for other, its in self._standing if category_of(other).name == kind)
-        return any(math.dist(point, (its.x, its.y)) < near for its in same)
+        return any(math.dist(point, its.at) < near for its in same)
 
-    def _seats(self, place: _Place) -> Iterator[tuple[tuple[float, float], float]]:
-        """Yield where the edge of a surface is before each seat, and which way the seat faces, in the carrier's frame."""
+    def _seats(self, place: _Place) -> Iterator[Pose]:
+        """Yield where the edge of a surface is before each seat, facing as the seat does, in the carrier's frame."""
         pose, outline = place.pose, place.surface.region.exterior
-        c, s = math.cos(-pose.yaw), math.sin(-pose.yaw)
-        for seat in self.scene.assets:
-            at = self.layout.get(seat.name)
+        for seat, at in self._standing:
             sat_on = category_of(seat).movable and any(surface.is_seat for surface in surfaces_of(seat))
-            if at is None or not sat_on or seat.name == place.carrier.name:
+            if not sat_on or seat.name == place.carrier.name:
                 continue
-            x, y = c * (at.x - pose.x) - s * (at.y - pose.y), s * (at.x - pose.x) + c * (at.y - pose.y)
-            facing = at.yaw - pose.yaw
-            ahead, reach = (math.cos(facing), math.sin(facing)), seat.size[0] / 2 + DRESS.seat
-            back = (x - ahead[0], y - ahead[1])
-            ray = shapely.LineString([back, (x + reach * ahead[0], y + reach * ahead[1])])
+            x, y = Pose(0.0, 0.0, 0.0, -pose.yaw).point(at.x - pose.x, at.y - pose.y)
+            here, reach = Pose(x, y, 0.0, at.yaw - pose.yaw), seat.size[0] / 2 + DRESS.seat
+            back = here.point(-1.0, 0.0)
+            ray = shapely.LineString([back, here.point(reach, 0.0)])
             met = shapely.get_coordinates(ray.intersection(outline)).tolist()
             first = min(met, key=lambda point: math.dist(point, back), default=None)
             if first is not None and math.dist(first, (x, y)) <= reach:
-                yield (first[0], first[1]), facing
+                yield replace(here, x=first[0], y=first[1])
 
     def _variable(self, kind: str) -> str:
         """Return the list that a thing, or a run of equal ones, belongs to: those of one list look alike."""
         stem = variable_name(kind)
-        for number in count(self._lists[stem] + 1):
-            self._lists[stem] = number
-            if f"{stem}_{number}" not in self.scene.variables:
-                break
-        return f"{stem}_{self._lists[stem]}"
+        names = (f"{stem}_{number}" for number in self._lists.setdefault(stem, count(1)))
+        return next(name for name in names if name not in self.scene.variables)
 
     def _height(self, place: _Place, shape: Polygon) -> float | None:
         """Return the height on which a thing lies level; None where it would lie on an edge."""
@@ -340,17 +321,8 @@ class _Dresser:
         whole = under & (least <= low).all(axis=1) & (most >= high).all(axis=1) & (top > level - slack)
         return float(level) if whole.any() or level - top[under].min() < slack else None
 
-    def _put(
-        self,
-        place: _Place,
-        thing: Asset,
-        at: tuple[float, float, float],
-        variable: str,
-        *,
-        gap: float | None = None,
-        rule: Mapping[str, Any] | None = None,
-    ) -> bool:
-        """Put a thing down, `gap` from its neighbours, and more on it as its rule's `stack` has it; return whether it lies.
+    def _put(self, place: _Place, thing: Asset, at: Spot, variable: str, rule: Rule, around: float = AROUND) -> bool:
+        """Put a thing down, `around` metres free about it, and more on it as its rule's `stack` has it; return whether it lies.
 
         It lies free and wholly on its surface, or not at all.
         """
@@ -361,12 +333,10 @@ class _Dresser:
         height = self._height(place, shape) if place.free.covers(shape) else None
         if height is None:
             return False
-        around = DRESS.gap * 0.9 if gap is None else gap / 2
         place.free = place.free.difference(shape.buffer(around, join_style="mitre"))
         pose, rise = place.pose, thing.size[2] + DRESS.lift
         level = pose.z - place.carrier.size[2] / 2 + height + DRESS.lift + thing.size[2] / 2
-        stack = rule.get("stack", {}).get(thing.category, 1) if rule else 1
-        most = min(stack, (place.surface.free - DRESS.air) // rise)
+        most = min(rule.get("stack", {}).get(thing.category, 1), (place.surface.free - DRESS.air) // rise)
         for i in range(place.rng.randint(int(most + 1) // 2, int(most)) if most > 1 else 1):
             self._lay(thing, Pose(*pose.point(x, y), level + i * rise, pose.yaw + turn), variable)
         return True
@@ -377,9 +347,9 @@ class _Dresser:
         self._count[variable] += 1
         made = replace(thing, name=name, on_floor=False, on_object=True, metadata={LIES_ABOUT: True})
         self._standing.append((made, pose))
-        self._had |= {thing.category} & set(read_data("dressing.toml")["once"])
+        self._had |= {thing.category} & set(self._data["once"])
 
-    def _hang(self, place: _Place, rule: Mapping[str, Any]) -> None:
+    def _hang(self, place: _Place, rule: Rule) -> None:
         """Hang a thing from a hook, if nothing else is where it would hang."""
         thing = self._kind(place, rule["things"])
         if thing is None or place.rng.random() > rule["fill"] * (0.5 + 0.5 * self.amount):
@@ -390,10 +360,7 @@ class _Dresser:
         yaw = pose.yaw + math.atan2(spot.out[1], spot.out[0])
         at = Pose(*pose.point(*spot.region.centroid.coords[0]), level, yaw)
         shape = Polygon(at.corners(thing.size))
-        taken = [
-            Polygon(other.corners(size.size))
-            for size, other in self._standing
-            if size.name != place.carrier.name and abs(other.z - level) < (size.size[2] + thing.size[2]) / 2
-        ]
-        if level > thing.size[2] and not any(shape.intersects(other) for other in taken):
+        others = [(other, its) for other, its in self._standing if other.name != place.carrier.name]
+        beside = [(other, its) for other, its in others if abs(its.z - level) < (other.size[2] + thing.size[2]) / 2]
+        if level > thing.size[2] and not any(shape.intersects(Polygon(its.corners(o.size))) for o, its in beside):
             self._lay(thing, at, self._variable(thing.category))
