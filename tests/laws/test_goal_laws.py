@@ -59,7 +59,7 @@ def missing(scene: Scene, layout: Layout, agent: Agent) -> tuple[set[str], Groun
     passable = ground.passable(clearance(ground, world, ground.obstacles))
     regions, _ = components(passable)
     home = (regions == regions[ground.start]) & passable
-    rows = missed(ground, world, passable, home)
+    rows = missed(ground, world, home)
     return {problem.names[slot] for slot in ground.targets.slots[rows]}, ground
 
 

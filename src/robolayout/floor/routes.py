@@ -16,7 +16,7 @@ from robolayout._grid import components
 from robolayout.floor.cells import Cells, Floats, turning_radius
 from robolayout.floor.config import FLOOR
 from robolayout.floor.goals import cheapest, missed
-from robolayout.floor.ground import Ground, box_distance, clearance
+from robolayout.floor.ground import Ground, box_distance, clearance, seen_from
 
 
 @dataclass(frozen=True)
@@ -35,16 +35,16 @@ def plan_routes(ground: Ground, world: Floats, *, everywhere: bool = False) -> P
     if ground.start is None:
         return Plan(np.empty((0, 4)), 0)
     field = clearance(ground, world, ground.obstacles)
-    passable = ground.passable(field)
-    regions, _ = components(passable)
+    regions, _ = components(ground.passable(field))
     here = int(regions[ground.start])
     home = (regions == here) & (here > 0)
-    rows = missed(ground, world, passable, np.zeros_like(home) if everywhere else home)
+    rows = missed(ground, world, np.zeros_like(home) if everywhere else home)
     sheltered = clearance(ground, world, ground.shelter) < 0.0
     pockets = _pockets(ground, np.where(sheltered, 0, regions), here, field)
     pockets += [(i, j) for i, j in ground.doors[1:].tolist() if not home[i, j]]
     goals, points = _walks(ground, world, field, rows, pockets)
-    demands = _demands(ground, world, points)
+    need = ground.agent.radius + FLOOR.route_margin
+    demands = _demands(ground, world, points, need, need + FLOOR.nearby)
     turning = _turning(ground, world, np.where(home, field, -np.inf))
     return Plan(np.concatenate([turning, demands]), goals + bool(len(turning)))
 
@@ -59,63 +59,42 @@ def _walks(
 
     lacking = np.maximum(ground.agent.radius + FLOOR.route_margin - field, 0.0)
     walk = MCP_Geometric(np.where(ground.open, 1.0 + FLOOR.push_price * lacking, -1.0), fully_connected=True)
-    cost, step = walk.find_costs([ground.start])
+    cost, _ = walk.find_costs([ground.start])
     goals = cheapest(ground, world, rows, cost) + pockets
-    ways = [goal for goal in goals if np.isfinite(cost[goal])]
-    offset = np.asarray(walk.offsets) @ (field.shape[1], 1)
-    before = (np.arange(field.size) - np.where(step < 0, 0, offset[step]).ravel()).tolist()
-    seen: set[int] = set()
-    for i, j in ways:
-        cell = i * field.shape[1] + j
-        while cell not in seen:
-            seen.add(cell)
-            cell = before[cell]
-    return len(goals), np.stack(np.divmod(sorted(seen), field.shape[1]), axis=1)
+    walked = np.zeros(field.shape, np.bool_)
+    for goal in goals:
+        if np.isfinite(cost[goal]):
+            walked[tuple(np.transpose(walk.traceback(goal)))] = True
+    return len(goals), np.argwhere(walked)
 
 
 def _pockets(ground: Ground, regions: NDArray[np.intp], here: int, field: Floats) -> list[tuple[int, int]]:
     """Return the roomiest cell of every region of free space that is cut off."""
-    pockets: list[tuple[int, int]] = []
-    sizes = np.bincount(regions.ravel())
-    for region in range(1, len(sizes)):
-        if region != here and sizes[region] * ground.cell**2 >= FLOOR.pocket:
-            room = np.where(regions == region, np.minimum(field, ground.wall_distance), -np.inf)
-            best = np.unravel_index(int(np.argmax(room)), room.shape)
-            pockets.append((int(best[0]), int(best[1])))
-    return pockets
+    room = np.minimum(field, ground.wall_distance)
+    large = np.flatnonzero(np.bincount(regions.ravel()) * ground.cell**2 >= FLOOR.pocket).tolist()
+    best = (np.where(regions == region, room, -np.inf).argmax() for region in large if region not in (0, here))
+    return [divmod(int(cell), room.shape[1]) for cell in best]
 
 
 def _turning(ground: Ground, world: Floats, field: Floats) -> Floats:
     """Return what must yield so that a body with a turning circle can turn at the roomiest place it gets to."""
-    need = turning_radius(ground.agent)
-    room = np.minimum(field, np.where(ground.wall_distance >= need + FLOOR.route_margin, np.inf, -np.inf))
-    if ground.agent.length is None or room.max() >= need + FLOOR.route_margin or not np.isfinite(room.max()):
+    radius = turning_radius(ground.agent)
+    need = radius + FLOOR.route_margin
+    room = np.minimum(field, np.where(ground.wall_distance >= need, np.inf, -np.inf))
+    if ground.agent.length is None or room.max() >= need or not np.isfinite(room.max()):
         return np.empty((0, 4))
-    best = np.unravel_index(int(np.argmax(room)), room.shape)
-    px, py = ground.xs[best[0]], ground.ys[best[1]]
-    distance = box_distance(px, py, ground.obstacles.poses(world).T, ground.obstacles.half.T)
-    near = np.flatnonzero(distance < need + FLOOR.nearby)
-    points = np.full((len(near), 2), (px, py))
-    return _rows(ground, world, points, near, need + FLOOR.route_margin)
+    return _demands(ground, world, np.argwhere(room == room.max())[:1], need, radius + FLOOR.nearby)
 
 
-def _demands(ground: Ground, world: Floats, cells: Cells) -> Floats:
-    """Return (x, y, slot, metres) for every point and everything near it."""
-    obstacles = ground.obstacles
-    if not len(cells) or not len(obstacles.slot):
-        return np.empty((0, 4))
+def _demands(ground: Ground, world: Floats, cells: Cells, need: float, near: float) -> Floats:
+    """Return (x, y, slot, metres `need`) for points on some cells and everything that is `near` metres from them."""
     stride = max(1, round(FLOOR.route_spacing / ground.cell))
     spaced = cells[(cells.sum(axis=1) % stride) == 0]
     cells = spaced if len(spaced) else cells
-    points = np.stack([ground.xs[cells[:, 0]], ground.ys[cells[:, 1]]], axis=1)
-    poses, need = obstacles.poses(world), ground.agent.radius + FLOOR.route_margin
-    far = np.hypot(*obstacles.half.T) + need + FLOOR.nearby
-    about = np.abs(points[:, :1] - poses[:, 0]) <= far
-    about &= np.abs(points[:, 1:] - poses[:, 1]) <= far
-    point, near = np.nonzero(about)
-    distance = box_distance(points[point, 0], points[point, 1], poses[near].T, obstacles.half[near].T)
-    close = distance < need + FLOOR.nearby
-    return _rows(ground, world, points[point[close]], near[close], need)
+    points, things = np.stack([ground.xs[cells[:, 0]], ground.ys[cells[:, 1]]], axis=1), ground.obstacles
+    distance = box_distance(points[:, :1], points[:, 1:], things.poses(world).T, things.half.T)
+    point, thing = np.nonzero(distance < near)
+    return _rows(ground, world, points[point], thing, need)
 
 
 def _rows(ground: Ground, world: Floats, points: Floats, near: Cells, need: float) -> Floats:
@@ -126,8 +105,7 @@ def _rows(ground: Ground, world: Floats, points: Floats, near: Cells, need: floa
     """
     things = ground.obstacles
     slot = things.slot[near]
-    x, y, c, s = world[slot].astype(float).T
-    dx, dy = points[:, 0] - x, points[:, 1] - y
-    apart = np.stack([c * dx + s * dy, c * dy - s * dx], axis=1) - things.offset[near, :2]
+    x, y, c, s = world[slot].T
+    apart = np.stack(seen_from(points[:, 0], points[:, 1], world[slot].T), axis=1) - things.offset[near, :2]
     u, v = (np.copysign(np.abs(apart) - things.half[near] + ground.targets.half[slot], apart)).T
     return np.stack([x + c * u - s * v, y + s * u + c * v, slot.astype(float), np.full(len(slot), need)], axis=1)

@@ -17,7 +17,7 @@ from robolayout._grid import components, distance, within
 from robolayout.floor.cells import Cells, Mask, entered, turning_radius
 from robolayout.floor.config import FLOOR
 from robolayout.floor.furnished import Floor, Shadow
-from robolayout.floor.ground import patches
+from robolayout.floor.ground import cells_about, used_from
 from robolayout.floor.targets import SIDES, use_of
 from robolayout.scene import OPENINGS, Agent, Asset
 
@@ -149,10 +149,8 @@ def use_cells(
         return None
     reach, sides = use
     x, y, yaw = place
-    pose, half = np.array([[x, y, math.cos(yaw), math.sin(yaw)]]), np.array([asset.size[:2]]) / 2
-    asked = np.array([[side in sides for side in SIDES]])
-    stride = max(1, round(FLOOR.use_spacing / floor.cell))
-    for patch in patches(floor.xs, floor.ys, pose, half, reach, stride):
-        k, i, j = np.nonzero(patch.used_from(reach, asked, floor.cell))
-        return patch.i[k, i] * len(floor.ys) + patch.j[k, j]
-    return np.empty(0, np.intp)
+    pose, half = np.array([x, y, math.cos(yaw), math.sin(yaw)]), np.array(asset.size[:2]) / 2
+    i, j = cells_about(floor.xs, floor.ys, pose, half, reach, max(1, round(FLOOR.use_spacing / floor.cell)))
+    used, asked = np.zeros(floor.inside.shape, np.bool_), np.array([side in sides for side in SIDES])
+    used[i, j] = used_from(floor.xs[i, None], floor.ys[j], pose, half, reach - floor.cell / 2, asked)
+    return np.flatnonzero(used)

@@ -58,30 +58,22 @@ def use_of(asset: Asset, bottom: float, agent: Agent, *, carried: bool) -> tuple
 
 
 def targets_of(contents: Contents, agent: Agent) -> Targets:
-    """Return what a body must get to; rugs and what hangs from the ceiling need no reaching."""
+    """Return what a body must get to; rugs and what hangs from the ceiling need no reaching.
+
+    A body with an arm moves chairs away: movable things that stand on the floor and carry nothing.
+    """
     assets, parent = contents.scene.assets, np.array(contents.parent, dtype=np.intp)
+    rise = np.array([asset.size[2] for asset in assets]) / 2
+    bottom, top = contents.heights - rise, contents.heights + rise
     slots = np.array([i for i, a in enumerate(assets) if not (a.is_flat or a.on_ceiling)], dtype=np.intp)
     reach, sides = np.full(len(slots), agent.reach), np.zeros((len(slots), len(SIDES)), dtype=np.bool_)
     for row, slot in enumerate(slots.tolist()):
-        bottom = float(contents.heights[slot]) - assets[slot].size[2] / 2
-        use = use_of(assets[slot], bottom, agent, carried=bool(parent[slot] >= 0))
+        use = use_of(assets[slot], float(bottom[slot]), agent, carried=bool(parent[slot] >= 0))
         if use is not None:
             reach[row] = max(use[0], agent.radius + BODY.touch)  # nearer than that no disc is asked to come
             sides[row] = [side in use[1] for side in SIDES]
-    top = contents.heights + np.array([asset.size[2] for asset in assets]) / 2
     under = parent[slots]
     carrier = np.where((under >= 0) & (top[under] > agent.height), under, -1)
-    return Targets(slots, reach, sides, carrier, _chairs(contents, agent), parent, contents.half)
-
-
-def _chairs(contents: Contents, agent: Agent) -> NDArray[np.intp]:
-    """Return what a body with an arm moves away: movable things that stand on the floor and carry nothing."""
-    if agent.reach_distance is None:
-        return np.empty(0, dtype=np.intp)
-    low = contents.heights - np.array([asset.size[2] / 2 for asset in contents.scene.assets]) <= FLAT_HEIGHT
-    found = [
-        slot
-        for slot, asset in enumerate(contents.scene.assets)
-        if low[slot] and not asset.is_flat and slot not in contents.parent and category_of(asset).movable
-    ]
-    return np.array(found, dtype=np.intp)
+    low = [] if agent.reach_distance is None else np.flatnonzero(bottom <= FLAT_HEIGHT).tolist()
+    chairs = [i for i in low if not assets[i].is_flat and i not in contents.parent and category_of(assets[i]).movable]
+    return Targets(slots, reach, sides, carrier, np.array(chairs, dtype=np.intp), parent, contents.half)
