@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
-from types import MappingProxyType
+from dataclasses import dataclass, replace
 
 from robolayout._errors import UnknownNameError
 
@@ -42,29 +41,24 @@ class Effort:
     # share of statements that it leaves unmet, above both of which the guess is worth nothing: else a way that is blocked is opened
     # first. Measured: guesses at random 0.8 to 1.5, rough ones of which as much is out of reach 0.3 to 0.5
     lost: tuple[float, float] = (0.6, 0.8)
-    blind: float = (
-        0.25  # the same share once the ways are opened, and share of the statements that do not hold after mending
-    )
+    # the same share once the ways are opened, and share of the statements that do not hold after mending
+    blind: float = 0.25
     nearby: int = 30  # things that are tried elsewhere near their guess, at most; none leaves it out
-    looked_at: int = (
-        6  # of the tries of one thing, so many are judged as they are; at most four of them are polished, too
-    )
+    # of the tries of one thing, so many are judged as they are; at most four of them are polished, too
+    looked_at: int = 6
     put_back: int = 64  # layouts judged while groups of moved things are put back to their guesses, at most
     built: int = 2  # batches of starts that are built one thing after the other
-    nearly: float = (
-        3.0  # promise of a built start up to which single things in it are placed anew before it is polished
-    )
+    # promise of a built start up to which single things in it are placed anew before it is polished
+    nearly: float = 3.0
     # most layouts with one thing built anew that are judged in a row, and four times as many at the end; none leaves it out
     mendings: int = 32
 
 
-EFFORTS: Mapping[str, Effort] = MappingProxyType(
-    {
-        "quick": Effort(300, 40, nearby=8, looked_at=4, put_back=32, built=1, mendings=8),
-        "normal": Effort(),
-        "thorough": Effort(6000, 640, nearby=90, looked_at=8, put_back=128, built=6, nearly=6.0, mendings=96),
-    }
-)
+EFFORTS: Mapping[str, Effort] = {
+    "quick": Effort(300, 40, nearby=8, looked_at=4, put_back=32, built=1, mendings=8),
+    "normal": Effort(),
+    "thorough": Effort(6000, 640, nearby=90, looked_at=8, put_back=128, built=6, nearly=6.0, mendings=96),
+}
 """The schedules by name."""
 
 
@@ -78,14 +72,11 @@ class SolverConfig:
     judged: int = 8  # layouts of each round of routes that the exact verifier sees, the most promising first
     polish: SearchConfig = SearchConfig(steps=140, rate=0.02, final_rate=0.0005)  # of starts that are near a solution
     reroute: SearchConfig = SearchConfig(steps=120, rate=0.03, final_rate=0.001)  # after each planning of routes
-    route_rounds: int = (
-        3  # most rounds of planning routes and moving furniture out of their way; none leaves out all routes
-    )
+    # most rounds of planning routes and moving furniture out of their way; none leaves out all routes
+    route_rounds: int = 3
     cell: float = 0.05  # metres per cell of the grid on which routes are planned
-    effort: Effort = field(default_factory=Effort)
-
-    weights: Weights = field(default_factory=Weights)
-
+    effort: Effort = Effort()
+    weights: Weights = Weights()
     trace: bool = False  # whether to record poses and losses for the animation
 
     def at(self, effort: str) -> SolverConfig:
