@@ -44,7 +44,7 @@ def run_of(scene: Scene, places: dict[str, tuple[float, float, float, float]], a
         tuple({"total": 100.0 / (step + 1)} for step in range(10 * MOMENTS)),
         tuple(Snapshot(10 * k, "search", _on_the_way(layout, k / MOMENTS)) for k in range(MOMENTS)),
     )
-    solution = Solution(layout, Verdict(0.0, 0.0, 0.0), "solved", "", trace=trace)
+    solution = Solution(layout, Verdict(0.0, 0.0, 0.0), trace=trace)
     report = verify(scene, layout, asked).with_timing({"plan": {"wall": 0.5, "cpu": 0.5}})
     return Result(scene, layout, report, asked, reconcile(asked, scene), (), solution)
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from functools import partial
 
 import numpy as np
 import pytest
@@ -14,7 +13,6 @@ from robolayout.run.flow import make_judge
 from robolayout.scene import Room
 from robolayout.solve import Effort, Solver, SolverConfig
 from robolayout.solve.config import SearchConfig
-from robolayout.solve.refine import _Best
 
 HASTY = replace(
     SolverConfig(),
@@ -41,9 +39,10 @@ def test_no_layout_of_a_thousand_gets_worse(room: Room) -> None:
         solver = Solver(problem, judge, HASTY, seed=seed)
         world = scattered(problem, rng)
         before = judge(problem.layout(world))
-        for step in (partial(solver._near, 0), solver._repair, solver._restored):
-            after = step(_Best(world, before))
-            assert after.verdict.worth[:3] <= before.worth[:3]
-            assert after.verdict == judge(problem.layout(after.world)), "the verdict is that of these poses"
-        better += after.verdict.merit < before.merit
+        for step in (solver._near, solver._repair, solver._restore):
+            solver.hold(world, before, "guess")
+            step()
+            assert solver.verdict.worth[:3] <= before.worth[:3]
+            assert solver.verdict == judge(problem.layout(solver.world)), "the verdict is that of these poses"
+        better += solver.verdict.merit < before.merit
     assert better > 400

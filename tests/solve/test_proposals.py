@@ -14,7 +14,6 @@ from robolayout.scene import Asset, Room
 from robolayout.solve import Problem
 from robolayout.solve.construct import Builder
 from robolayout.solve.proposals import Proposals, frame_of
-from robolayout.solve.refine import bring_in, near
 from robolayout.solve.stage import make_stage, relative
 
 ROOMS = pytest.mark.parametrize("room", [SQUARE, L_SHAPED, TRIANGLE], ids=["square", "L", "triangle"])
@@ -45,8 +44,8 @@ def every_kind(problem: Problem, world: np.ndarray, moving: tuple[int, ...], cou
     """Return starts: half of them near the guess, half built."""
     builder = Builder(make_stage(problem, 0, problem.start), np.random.default_rng(0))
     built = np.array([builder.build(world, moving) for _ in range(count // 2)])
-    bring_in(problem, built, moving)
-    return np.concatenate([near(problem, world, moving, count // 2, builder.rng), built])
+    builder.proposals.bring_in(built, moving)
+    return np.concatenate([builder.proposals.near(world, moving, count // 2, builder.rng), built])
 
 
 @ROOMS
@@ -99,7 +98,7 @@ def test_a_draw_satisfies_the_row_that_it_is_drawn_from(text: str) -> None:
     large = Room(((0, 0), (9, 0), (9, 8), (7, 8), (7, 6), (0, 6)), 2.4)
     problem = problem_of(room_of(BED, TABLE, room=large), f"solver.{text}")
     rng = np.random.default_rng(1)
-    proposals = Proposals.of(problem)
+    proposals = Proposals(problem)
     assert proposals.frames[0]
     for _ in range(40):
         world = scattered(problem, rng)
@@ -118,7 +117,7 @@ def test_draws_for_a_statement_satisfy_it_far_more_often_than_chance() -> None:
     rng = np.random.default_rng(0)
     (relation,) = problem.relations
     world = scattered(problem, rng)
-    drawn = Proposals.of(problem).draw(0, world, 200, rng)
+    drawn = Proposals(problem).draw(0, world, 200, rng)
     met = 0
     for pose in drawn:
         world[0] = pose
@@ -131,13 +130,13 @@ def test_a_twin_is_proposed_at_the_mirror_image() -> None:
     problem = problem_of(room_of(BED, *STANDS), text)
     rng = np.random.default_rng(2)
     world = scattered(problem, rng)
-    proposals = Proposals.of(problem)
+    proposals = Proposals(problem)
     (row,) = proposals.mirrors[1]
     world[1] = proposals.image(row, 1, world)
     outcome = problem.relations[0].check(problem.scene, problem.layout(world))
     assert outcome.value < 1e-9
     about_wall = problem_of(room_of(BED, *STANDS), "solver.symmetric_pair(night_stand[0], night_stand[1], walls[2])")
-    proposals = Proposals.of(about_wall)
+    proposals = Proposals(about_wall)
     world[1] = proposals.image(proposals.mirrors[1][0], 1, world)
     assert about_wall.relations[0].check(about_wall.scene, about_wall.layout(world)).value < 1e-9
 
@@ -147,11 +146,11 @@ def test_a_child_is_proposed_on_its_top() -> None:
     rng = np.random.default_rng(0)
     world = scattered(problem, rng)
     for _ in range(50):
-        world[1] = Proposals.of(problem)._anywhere(1, world, 1, rng)[0]
+        world[1] = Proposals(problem)._anywhere(1, world, 1, rng)[0]
         assert problem.relations[0].check(problem.scene, problem.layout(world)).met
 
 
 def test_open_ends_do_not_reach_beyond_the_room() -> None:
     problem = problem_of(room_of(BED, TABLE), "solver.distance_constraint(bed[0], table[0], 1.0, None)")
-    drawn = Proposals.of(problem).draw(0, problem.start, 100, np.random.default_rng(0))
+    drawn = Proposals(problem).draw(0, problem.start, 100, np.random.default_rng(0))
     assert np.abs(drawn[:, :2]).max() < 12 < FAR

@@ -9,7 +9,6 @@ from solve_rooms import BED, LAMP, QUICK, STANDS, problem_of, room_of
 from robolayout.run.flow import solve
 from robolayout.scene import Asset, Pose
 from robolayout.solve import Problem
-from robolayout.solve.construct import Builder
 from robolayout.solve.repair import MENDING, Repair
 from robolayout.solve.runner import Run, Runner
 from robolayout.solve.stage import make_stage, stages
@@ -32,7 +31,7 @@ def mended(problem: Problem, world: np.ndarray, way: int, count: int = 12) -> li
         [make_stage(problem, n, problem.start) for n in stages(problem)],
         Runner(QUICK),
         QUICK,
-        Builder(make_stage(problem, 0, problem.start), np.random.default_rng(way)),
+        np.random.default_rng(way),
     )
     return [repair.mended(world, 0, way) for _ in range(count)]
 

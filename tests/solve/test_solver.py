@@ -8,7 +8,6 @@ import os
 import subprocess
 import sys
 from dataclasses import replace
-from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -39,8 +38,6 @@ from robolayout.program import read_program, reconcile
 from robolayout.run.flow import make_judge, solve
 from robolayout.scene import Asset, Pose, Room, Scene, vertical_span
 from robolayout.solve import Effort, Solver, Verdict
-from robolayout.solve.construct import Builder
-from robolayout.solve.refine import _Best
 from robolayout.solve.repair import Repair
 from robolayout.solve.runner import Runner
 from robolayout.solve.stage import make_stage, stages
@@ -265,11 +262,12 @@ def test_refinement_and_repair_never_end_worse() -> None:
         solver.grounds = [make_ground(problem.contents, DISC, 0.05)]
         world = scattered(problem, rng)
         before = judge(problem.layout(world))
-        for step in (solver._repair, partial(solver._near, 1), solver._restored):
-            after = step(_Best(world, before))
-            assert after.verdict.worth <= before.worth
-            assert after.verdict == judge(problem.layout(after.world)), "the verdict is that of these poses"
-            better += after.verdict.merit < before.merit
+        for step in (solver._repair, solver._near, solver._restore):
+            solver.hold(world, before, "guess")
+            step()
+            assert solver.verdict.worth <= before.worth
+            assert solver.verdict == judge(problem.layout(solver.world)), "the verdict is that of these poses"
+            better += solver.verdict.merit < before.merit
     assert better >= 4
 
 
@@ -280,7 +278,7 @@ def test_repair_moves_only_what_is_to_blame_and_what_belongs_to_it() -> None:
         [make_stage(problem, n, problem.start) for n in stages(problem)],
         Runner(QUICK),
         QUICK,
-        Builder(make_stage(problem, 0, problem.start), np.random.default_rng(0)),
+        np.random.default_rng(0),
     )
     world = problem.start.copy()
     for _ in range(20):

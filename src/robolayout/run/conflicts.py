@@ -66,7 +66,7 @@ class _Looker:
     ) -> None:
         self.scene, self.program, self.said, self.rng = scene, reconciled.program, said, rng
         self.problem = compile_problem(scene, reconciled.program, pinned=layout)
-        self.proposals = Proposals.of(self.problem)
+        self.proposals = Proposals(self.problem)
         self.now = self._standing(layout)
 
     def against(self, statement: Statement) -> str:

@@ -76,7 +76,7 @@ class Builder:
         problem = stage.problem
         self.problem, self.moving, self.rng = problem, problem.movable(0), rng
         self.score = Score(stage, weights or Weights())
-        self.proposals = Proposals.of(problem)
+        self.proposals = Proposals(problem)
         widest = max(problem.scene.agents, key=lambda agent: agent.radius)
         self.zones = Zones(problem, widest)
         self._walked = Walked(problem.scene.room, min(widest.radius, 0.5))

@@ -7,7 +7,6 @@ from exactly that set, wherever the other thing stands now. Things without such 
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
@@ -42,27 +41,20 @@ def carry(problem: Problem, world: Floats, slot: int, pose: Floats, followers: f
     world[slot] = pose
 
 
-@dataclass(frozen=True)
 class Proposals:
     """Draws places for the slots of a problem."""
 
-    problem: Problem
-    frames: dict[int, list[FrameTerm]]  # rows that place each slot
-    mirrors: dict[int, list[MirrorTerm]]  # mirror rows of each slot
-
-    @classmethod
-    def of(cls, problem: Problem) -> Proposals:
-        """Return the proposals of a problem."""
-        frames: dict[int, list[FrameTerm]] = {}
-        mirrors: dict[int, list[MirrorTerm]] = {}
+    def __init__(self, problem: Problem) -> None:
+        self.problem = problem
+        self.frames: dict[int, list[FrameTerm]] = {}  # rows that place each slot
+        self.mirrors: dict[int, list[MirrorTerm]] = {}  # mirror rows of each slot
         for term in problem.statement_terms:
             if isinstance(term, FrameTerm) and isinstance(term.a, AssetRef) and term.moves != "b":
-                frames.setdefault(problem.slot[term.a.name], []).append(term)
+                self.frames.setdefault(problem.slot[term.a.name], []).append(term)
             elif isinstance(term, MirrorTerm):
                 for ref in (term.a, term.b):
                     if isinstance(ref, AssetRef):
-                        mirrors.setdefault(problem.slot[ref.name], []).append(term)
-        return cls(problem, frames, mirrors)
+                        self.mirrors.setdefault(problem.slot[ref.name], []).append(term)
 
     def rows(self, slot: int) -> list[FrameTerm]:
         """Return the rows of a slot, and of the wall that it hangs at; what puts its back to a wall comes last."""
@@ -78,8 +70,7 @@ class Proposals:
         for slot, terms in self.mirrors.items():
             ahead[slot] |= {self.problem.slot[t.ref.name] for t in terms if isinstance(t.ref, AssetRef)} - {slot}
             if slot not in self.frames:
-                twins = {self.twin(term, slot) for term in terms}
-                ahead[slot] |= {twin for twin in twins if twin in self.frames}
+                ahead[slot] |= {self.twin(term, slot) for term in terms} & self.frames.keys()
         return ahead
 
     @cached_property
@@ -122,7 +113,8 @@ class Proposals:
         yaw = _quarters(count, rng) if term.heading is None else np.full(count, term.heading)
         hx, hy = self.problem.half[slot]
         c, s = np.abs(np.cos(yaw)), np.abs(np.sin(yaw))
-        spread = self._spread()
+        x0, y0, x1, y1 = self.problem.scene.room.bounds
+        spread = max(x1 - x0, y1 - y0) / 2
         u, v = (
             _draw(side.low + side.low_extent * extent, side.high - side.high_extent * extent, spread, rng)
             for side, extent in ((term.along, c * hx + s * hy), (term.across, s * hx + c * hy))
@@ -130,18 +122,14 @@ class Proposals:
         if term.fold:
             v = np.where(rng.random(count) < 0.5, -v, v)
         low, high = term.distance
-        if (low > 0.0 or high < FAR) and not isinstance(term.b, WallRef):
-            away, around = rng.uniform(low, min(high, low + spread), count), rng.uniform(0.0, math.tau, count)
-            u, v = away * np.cos(around), away * np.sin(around)
-        elif isinstance(term.b, WallRef) and (low > 0.0 or high < FAR):
+        far, ringed = min(high, low + spread), low > 0.0 or high < FAR
+        if ringed and isinstance(term.b, WallRef):
             end = self.problem.scene.room.walls[term.b.index].length / 2
-            u = rng.uniform(-end, end, count)
-            v = rng.uniform(low, min(high, low + spread), count)
+            u, v = rng.uniform(-end, end, count), rng.uniform(low, far, count)
+        elif ringed:
+            away, around = rng.uniform(low, far, count), rng.uniform(0.0, math.tau, count)
+            u, v = away * np.cos(around), away * np.sin(around)
         return compose(frame, np.stack([u, v, np.cos(yaw), np.sin(yaw)], axis=-1))
-
-    def _spread(self) -> float:
-        x0, y0, x1, y1 = self.problem.scene.room.bounds
-        return max(x1 - x0, y1 - y0) / 2
 
     def twin(self, term: MirrorTerm, slot: int) -> int:
         """Return the slot that a row makes the mirror image of another one."""
@@ -150,11 +138,10 @@ class Proposals:
 
     def image(self, term: MirrorTerm, slot: int, world: Floats) -> Floats:
         """Return the pose (4,) at which a row wants a slot: the mirror image of its twin."""
-        twin = AssetRef(self.problem.names[self.twin(term, slot)])
         frame = frame_of(self.problem, term.ref, world)
         if isinstance(term.ref, WallRef):
             frame = np.array([frame[0], frame[1], -frame[3], frame[2]])
-        image = relative(frame, frame_of(self.problem, twin, world)) * np.array([1.0, -1.0, 1.0, -1.0])
+        image = relative(frame, world[self.twin(term, slot)]) * np.array([1.0, -1.0, 1.0, -1.0])
         return compose(frame, image)
 
     def _nearby(self, pose: Floats, count: int, rng: np.random.Generator) -> Floats:
@@ -173,13 +160,33 @@ class Proposals:
         x0, y0, x1, y1 = self.problem.scene.room.bounds
         spots = rng.uniform((x0, y0), (x1, y1), (count, 2))
         for _ in range(20):
-            if self.problem.scene.room.fills_bounds:
-                break
             outside = ~shapely.contains_xy(self._floor, *spots.T)
             if not outside.any():
                 break
             spots[outside] = rng.uniform((x0, y0), (x1, y1), (int(outside.sum()), 2))
         return np.column_stack([spots, heading])
+
+    def near(self, world: Floats, moving: tuple[int, ...], count: int, rng: np.random.Generator) -> Floats:
+        """Return poses (n, 4) and slight jitter of what moves in them: (count, n, 4)."""
+        scale = 0.1 if self.problem.parent[moving[0]] >= 0 else 1.0
+        starts = np.repeat(world[None], count, axis=0)
+        for k, start in enumerate(starts[1:], 1):
+            sigma = (0.05 + 0.3 * k / count) * scale
+            for slot in moving:
+                start[slot, :2] += rng.normal(0.0, sigma, 2)
+                if rng.random() < sigma / 2 and self.problem.guessed:
+                    start[slot, 2:] = [-start[slot, 3], start[slot, 2]]
+        self.bring_in(starts, moving)
+        return starts
+
+    def bring_in(self, starts: Floats, moving: tuple[int, ...]) -> None:
+        """Put things whose centre lies outside the room onto the nearest point of its floor."""
+        for slot in moving:
+            if self.problem.parent[slot] < 0:
+                points = np.asarray(shapely.points(starts[:, slot, :2]))
+                outside = ~shapely.covers(self._floor, points)
+                ways = shapely.shortest_line(points[outside], self._floor)
+                starts[outside, slot, :2] = shapely.get_coordinates(ways)[1::2]
 
     def _turned(self, terms: list[FrameTerm], poses: Floats, world: Floats, rng: np.random.Generator) -> Floats:
         """Return the poses (m, 4), most of them with the heading that one of its rows asks for."""

@@ -33,12 +33,12 @@ def pushed(
     Args:
         proposals: The rows of the problem.
         world: (n, 4) poses.
-        slots: What may move, in the order in which it is pushed.
+        slots: What may move; what others refer to is pushed first.
         walls_only: Whether only walls and headings along them are minded.
         most: Metres that a thing may go; what had to go farther stays.
     """
     problem, world = proposals.problem, world.copy()
-    for slot in slots:
+    for slot in sorted(slots, key=proposals.ranks.__getitem__):
         before = world.copy()
         rows = [term for term in proposals.rows(slot) if not walls_only or isinstance(term.b, WallRef)]
         _project(problem, world, slot, rows, PASSES)

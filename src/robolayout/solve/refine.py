@@ -8,38 +8,28 @@ hard demands or access are still not met then, or if there was nothing to keep.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import KW_ONLY, dataclass, field, replace
-from functools import cached_property, partial
+from functools import cached_property
 
 import numpy as np
-import shapely
-from shapely import Polygon
 
 from robolayout.floor import Ground, Plan, make_ground, plan_routes
 from robolayout.scene import Layout
 from robolayout.solve.compile import Floats, Problem
 from robolayout.solve.config import SolverConfig
-from robolayout.solve.construct import Builder
-from robolayout.solve.judge import Judge, Verdict
 from robolayout.solve.push import pushed
 from robolayout.solve.repair import MENDING, Repair
 from robolayout.solve.restore import restored, squared
 from robolayout.solve.runner import BATCH, STILL, Run, Runner
-from robolayout.solve.solution import Progress, Solution, conclude, silent
+from robolayout.solve.solution import Judge, Progress, Solution, Verdict, silent
 from robolayout.solve.stage import Stage, make_stage, stages
 
 NEAR = 0.4
 """Metres that a polished thing may be put where its statements hold exactly."""
 
-
-@dataclass
-class _Best:
-    """The best world poses so far, by the judge, and what made them."""
-
-    world: Floats
-    verdict: Verdict
-    phase: str = ""
+WORST = Verdict(math.inf, math.inf, math.inf)
+"""What any layout is better than."""
 
 
 @dataclass(eq=False)
@@ -57,20 +47,24 @@ class Solver:
         self.effort, self.judgements, self.gained = self.config.effort, 0, 0
         self.rng = np.random.default_rng(self.seed)
         self.runner = Runner(self.config)
-        self.phase = "guess" if self.problem.guessed else "built"
         self.blind = False
+        self.stages = [make_stage(self.problem, number, self.problem.start) for number in stages(self.problem)]
+        self.number, self.phase = 0, ""  # the stage and the phase under way
+        self.hold(self.problem.start, WORST, "guess" if self.problem.guessed else "built")
+
+    def hold(self, world: Floats, verdict: Verdict, phase: str) -> None:
+        """Make a layout the incumbent: poses (n, 4), what the judge says of them, and the phase that made them."""
+        self.world, self.verdict, self.made_by = world, verdict, phase
 
     def solve(self) -> Solution:
         """Return the best layout found."""
-        best = self._stage(self.stages[0])
-        for stage in self.stages[1:]:
-            self.phase = best.phase
-            best = self._stage(stage.at(best.world))
-        self.phase = best.phase
-        if best.verdict.broken:
-            best = self._repair(best)
-        best = self._restored(best)
-        return conclude(self.problem.layout(best.world), best.verdict, self.runner.trace(self.problem), best.phase)
+        for stage in self.stages:
+            self.phase = self.made_by
+            self._stage(stage.at(self.world))
+        if self.verdict.broken:
+            self._repair()
+        self._restore()
+        return Solution(self.problem.layout(self.world), self.verdict, self.made_by, self.runner.trace(self.problem))
 
     @property
     def spent(self) -> bool:
@@ -83,286 +77,213 @@ class Solver:
         self.progress(phase)
 
     @cached_property
-    def stages(self) -> list[Stage]:
-        """All stages of the problem."""
-        return [make_stage(self.problem, number, self.problem.start) for number in stages(self.problem)]
-
-    @cached_property
-    def builder(self) -> Builder:
-        """Builds rooms anew."""
-        return Builder(self.stages[0], self.rng, self.config.weights)
-
-    @cached_property
-    def repairer(self) -> Repair:
-        """Makes better candidates."""
-        return Repair(self.stages, self.runner, self.config, self.builder)
+    def repair(self) -> Repair:
+        """Makes better candidates, and builds rooms anew."""
+        return Repair(self.stages, self.runner, self.config, self.rng)
 
     @cached_property
     def grounds(self) -> list[Ground]:
-        """The grids on which routes are planned, one for each agent, widest first."""
-        bodies = sorted(self.problem.scene.agents, key=lambda agent: -agent.radius)
+        """The grids on which routes are planned, one for each agent, widest first; none where no routes are."""
+        bodies = sorted(self.problem.scene.agents, key=lambda agent: -agent.radius) if self.config.route_rounds else ()
         return [make_ground(self.problem.contents, agent, self.config.cell) for agent in bodies]
 
-    def _judged(self, world: Floats, number: int, best: _Best | None = None) -> _Best:
-        """Judge a layout of everything placed up to a stage, as far as it may be better than what is best so far."""
-        layout = self.problem.layout(world)
+    def _judged(self, world: Floats, limit: tuple[float, ...]) -> bool:
+        """Judge a layout of everything placed up to this stage, as far as its worth may be below a limit; keep it if it is."""
+        layout, moved = self.problem.layout(world), self.problem.moved(world)
         stages = zip(self.problem.names, self.problem.stage, strict=True)
-        placed = {name: layout[name] for name, stage in stages if stage <= number}
-        moved = self.problem.moved(world)
+        placed = {name: layout[name] for name, stage in stages if stage <= self.number}
 
         def enough(verdict: Verdict) -> bool:
-            return best is not None and replace(verdict, moved=moved).worth >= best.verdict.worth
+            return replace(verdict, moved=moved).worth >= limit
 
         self.judgements += 1
-        phase = best.phase if best and number else self.phase
-        found = _Best(world, replace(self.judge(Layout(placed), enough), moved=moved), phase)
-        if best is None or found.verdict.worth[:3] < best.verdict.worth[:3]:
+        found = replace(self.judge(Layout(placed), enough), moved=moved)
+        if found.worth[:3] < self.verdict.worth[:3]:
             self.gained = self.judgements
-        return found
+        if found.worth < limit:
+            self.hold(world, found, self.made_by if self.number else self.phase)
+        return found.worth < limit
 
-    def _stage(self, stage: Stage) -> _Best:
+    def _try(self, worlds: Iterable[Floats]) -> None:
+        """Judge layouts, and keep the best; nobody looks past a perfect one."""
+        for world in worlds:
+            if self.verdict.ok:
+                break
+            self._judged(world, self.verdict.worth)
+
+    def _blamed(self, number: int) -> list[int]:
+        """Return the slots to blame that a stage may move, the most pressing first."""
+        moving = self.problem.movable(number)
+        return [slot for name in self.verdict.culprits if (slot := self.problem.slot[name]) in moving]
+
+    def _stage(self, stage: Stage) -> None:
         """Place what belongs to a stage."""
-        self.judgements, self.gained, number = 0, 0, stage.number
-        best = self._judged(stage.world, number)
-        if not stage.moving or best.verdict.ok:
-            if stage.moving:
-                self._still(stage, best, self.phase)
-            return best
-        best = self._pushed(stage, best)
-        if number and not any(self._at(number, name) for name in best.verdict.culprits):
-            return best
-        best, run = self._polished(stage, best)
-        off = self.problem.moved(best.world) / len(stage.moving) if self.problem.guessed else math.inf
-        unmet = best.verdict.soft / max(len(self.problem.relations), 1)
-        self.blind |= self._amiss(stage, best) > self.effort.lost[0] and off + unmet > self.effort.lost[1]
-        if number == 0 and self.config.route_rounds and best.verdict.barred and not self.blind:
-            best, run = self._opened(stage, run, best)
-            best = self._route(stage, run, best)
-        best = best if self.blind and not number else self._near(number, best)  # on a top a few centimetres are enough
-        self.blind |= self._amiss(stage, best) > self.effort.blind
-        self.blind |= best.verdict.soft > self.effort.blind * len(self.problem.relations)
-        if not self.config.starts or not (self.blind or best.verdict.broken):
-            return best
-        best = self._anew(stage, best)
-        return best if best.verdict.broken else self._near(number, best)
-
-    def _amiss(self, stage: Stage, best: _Best) -> float:
-        """Return the share of what a stage moves that is out of place or out of reach."""
-        return best.verdict.broken / len(stage.moving)
-
-    def _pushed(self, stage: Stage, best: _Best) -> _Best:
-        """Return the best of the guess and of what its own statements make of it."""
+        self.judgements, self.gained, self.number, self.verdict = 0, 0, stage.number, WORST
+        self._judged(stage.world, WORST.worth)
+        if not stage.moving:
+            return
+        if self.verdict.ok:
+            self._still(stage, self.phase)
+            return
         self._say("push")
-        return self._best_of([pushed(self.builder.proposals, stage.world, self._order(stage))], stage.number, best)
+        push = pushed(self.repair.proposals, stage.world, stage.moving)
+        self._try([push])
+        if self.number and not self._blamed(self.number):
+            return
+        run = self._polished(stage, push)
+        off = self.problem.moved(self.world) / len(stage.moving) if self.problem.guessed else math.inf
+        unmet = self.verdict.soft / max(len(self.problem.relations), 1)
+        amiss = self.verdict.broken / len(stage.moving)  # share that is out of place or out of reach
+        self.blind |= amiss > self.effort.lost[0] and off + unmet > self.effort.lost[1]
+        if self._shut and not self.blind:
+            self._opened(stage, run)
+        if self.number or not self.blind:  # on a top a few centimetres are enough
+            self._near()
+        self.blind |= self.verdict.broken / len(stage.moving) > self.effort.blind
+        self.blind |= self.verdict.soft > self.effort.blind * len(self.problem.relations)
+        if self.config.starts and (self.blind or self.verdict.broken):
+            self._anew(stage)
 
-    def _order(self, stage: Stage) -> list[int]:
-        """Return what a stage moves, what others refer to first."""
-        ranks = self.builder.proposals.ranks
-        return sorted(stage.moving, key=lambda slot: ranks[slot])
+    @property
+    def _shut(self) -> bool:
+        """Whether routes are planned for what stands in the room, and some are blocked."""
+        return not self.number and self.config.route_rounds > 0 and self.verdict.barred > 0.0
 
-    def _polished(self, stage: Stage, best: _Best) -> tuple[_Best, Run]:
-        """Return the best after following gradients from the guess and from where it is pushed."""
+    def _polished(self, stage: Stage, push: Floats) -> Run:
+        """Follow gradients from the guess and from where it is pushed."""
         self._say("polish")
-        proposals, order = self.builder.proposals, self._order(stage)
-        push = pushed(proposals, stage.world, order)
-        walls = pushed(proposals, stage.world, order, walls_only=True)
-        starts = near(self.problem, stage.world, stage.moving, BATCH, self.rng)
-        worlds = _different([push, walls, *starts])[:BATCH]
-        run = self.runner.advance(stage, worlds, self.config.polish, "polish")
-        return self._best_of(self._sharpened(run, order), stage.number, best), run
+        proposals = self.repair.proposals
+        walls = pushed(proposals, stage.world, stage.moving, walls_only=True)
+        starts = np.array([push, walls, *proposals.near(stage.world, stage.moving, BATCH, self.rng)])
+        _, first = np.unique(starts.reshape(len(starts), -1), axis=0, return_index=True)
+        run = self.runner.advance(stage, starts[np.sort(first)][:BATCH], self.config.polish, "polish")
+        self._sharpen(stage, run)
+        return run
 
-    def _opened(self, stage: Stage, run: Run, best: _Best) -> tuple[_Best, Run]:
-        """Return the best after going on with ways kept open to everything."""
-        plan = partial(self._open, run.world)
-        more = self.runner.advance(stage, run.world, self.config.polish, "routes", plan=plan)
+    def _opened(self, stage: Stage, run: Run) -> None:
+        """Go on with ways kept open to everything, and with what stands in them pushed aside."""
+        plans = [self._planned(world, everywhere=True) for world in run.world]
+        more = self.runner.advance(stage, run.world, self.config.polish, "routes", plans=plans)
         self._say("routes")
-        return self._best_of(self._sharpened(more, self._order(stage)), 0, best), run.joined(more)
+        self._sharpen(stage, more)
+        self._route(stage, run.joined(more))
 
-    def _sharpened(self, run: Run, order: list[int]) -> Iterable[Floats]:
-        """Yield the layouts of a run, best first, each also with what is all but right put exactly right."""
-        for world in run.ranked():
-            yield pushed(self.builder.proposals, world, order, most=NEAR)
-            yield world
+    def _sharpen(self, stage: Stage, run: Run) -> None:
+        """Try the layouts of a run, best first, each also with what is all but right put exactly right."""
+        rows, moving = self.repair.proposals, stage.moving
+        self._try(one for world in run.ranked() for one in (pushed(rows, world, moving, most=NEAR), world))
 
-    def _near(self, number: int, best: _Best) -> _Best:
+    def _near(self) -> None:
         """Place single things to blame anew, as near to their guesses as can be, as long as the judge likes that better."""
         self._say("mend")
-        hopeless = set[str]()
+        hopeless = set[int]()
         for _ in range(self.effort.nearby):
-            names = [name for name in best.verdict.culprits if name not in hopeless and self._at(number, name)]
-            if best.verdict.ok or not names or self.spent:
+            slots = [slot for slot in self._blamed(self.number) if slot not in hopeless]
+            if self.verdict.ok or not slots or self.spent:
                 break
-            before = best.verdict.worth[:3]
-            for world in self.repairer.near(best.world, self.problem.slot[names[0]], self._planned):
-                best = self._best_of([world], number, best)
-                if best.verdict.worth[:3] < before:
+            before = self.verdict.worth[:3]
+            for world in self.repair.near(self.world, slots[0], self._planned):
+                self._try([world])
+                if self.verdict.worth[:3] < before:
                     break
             else:
-                hopeless.add(names[0])
-        return best
+                hopeless.add(slots[0])
 
-    def _at(self, number: int, name: str) -> bool:
-        """Return whether a stage may move a thing."""
-        return self.problem.stage[self.problem.slot[name]] == number and name not in self.problem.pinned
-
-    def _anew(self, stage: Stage, best: _Best) -> _Best:
-        """Return the best of what is there and of rooms that are built and searched for."""
+    def _anew(self, stage: Stage) -> None:
+        """Build rooms and search for them."""
         self._say("build")
         self.gained = self.judgements
-        count, run = self.config.starts // 4, None
-        if stage.number == 0:
-            best = self._mended(best, 0, self.effort.mendings)
-            best, run = self._built(stage, count, best)
+        count = self.config.starts // 4
+        run = None if self.number else self._built(stage, count)
         if run is None:
-            nearby = near(self.problem, stage.world, stage.moving, max(count, 1), self.rng)
+            nearby = self.repair.proposals.near(stage.world, stage.moving, max(count, 1), self.rng)
             run = self.runner.advance(stage, nearby, self.config.polish, "polish")
-            best = self._best_of(run.ranked(), stage.number, best)
-        if stage.number == 0 and self.config.route_rounds and best.verdict.barred:
-            best = self._route(stage, run, best)
-        return best
+            self._try(run.ranked())
+        if self._shut:
+            self._route(stage, run)
+        if not self.verdict.broken:
+            self._near()
 
-    def _built(self, stage: Stage, count: int, best: _Best) -> tuple[_Best, Run | None]:
-        """Return the best after so many starts of each batch are built and polished, and single things mended."""
+    def _built(self, stage: Stage, count: int) -> Run | None:
+        """Build and polish so many starts in each batch, and mend single things."""
+        self._mend(self.effort.mendings)
         run: Run | None = None
         for _ in range(self.effort.built if count else 0):
-            if best.verdict.ok or self.spent:
+            if self.verdict.ok or self.spent:
                 break
             made = list[Floats]()
-            while len(made) < count and not best.verdict.ok:
-                made.append(self.builder.build(stage.world, stage.moving))
-                bring_in(self.problem, made[-1][None], stage.moving)
-                best = self._best_of(made[-1:], 0, best)
-            best = self._mended(best, 0, self.effort.mendings) if best.verdict.promise <= self.effort.nearly else best
-            if best.verdict.ok:
-                return best, self._still(stage, best, "built")
-            worlds = np.array(made)
-            more = self.runner.advance(stage, worlds, self.config.polish, "polish", plan=partial(self._open, worlds))
-            best, run = self._best_of(more.ranked(), 0, best), run.joined(more).best(self.config.kept) if run else more
-            best = self._mended(best, 0, self.effort.mendings)
-        return best, run
+            while len(made) < count and not self.verdict.ok:
+                made.append(self.repair.builder.build(stage.world, stage.moving))
+                self.repair.proposals.bring_in(made[-1][None], stage.moving)
+                self._try(made[-1:])
+            if self.verdict.promise <= self.effort.nearly:
+                self._mend(self.effort.mendings)
+            if self.verdict.ok:
+                return self._still(stage, "built")
+            plans = [self._planned(world, everywhere=True) for world in made]
+            more = self.runner.advance(stage, np.array(made), self.config.polish, "polish", plans=plans)
+            self._try(more.ranked())
+            run = run.joined(more).best(self.config.kept) if run else more
+            self._mend(self.effort.mendings)
+        return run
 
-    def _still(self, stage: Stage, best: _Best, label: str) -> Run:
-        """Return a layout as a run in which nothing moves; it is only run where a record is asked for."""
-        still = Run(best.world[None], np.zeros(1), np.zeros(1))
+    def _still(self, stage: Stage, label: str) -> Run:
+        """Return the incumbent as a run in which nothing moves; it is only run where a record is asked for."""
+        still = Run(self.world[None], np.zeros(1), np.zeros(1))
         return self.runner.advance(stage, still.world, STILL, label) if self.config.trace else still
 
-    def _open(self, worlds: Floats, start: int) -> Plan:
-        """Return what keeps ways to everything open in one of some layouts."""
-        return self._planned(worlds[start], everywhere=True)
-
-    def _best_of(self, worlds: Iterable[Floats], number: int, best: _Best) -> _Best:
-        """Return the best of some layouts and of what was best before, by the judge; nobody looks past a perfect one."""
-        for world in worlds:
-            if best.verdict.ok:
-                break
-            found = self._judged(world, number, best)
-            if found.verdict.worth < best.verdict.worth:
-                best = found
-        return best
-
-    def _route(self, stage: Stage, run: Run, best: _Best) -> _Best:
+    def _route(self, stage: Stage, run: Run) -> None:
         """Push furniture out of the agents' routes, replanning as it moves."""
-        world = run.world
-        kept: list[list[Floats]] = [[] for _ in run.world]
-        fruitless = False
+        rounds = list[list[Plan]]()
         for _ in range(self.config.route_rounds):
-            if not best.verdict.broken or fruitless or self.spent:
+            if not self.verdict.broken or self.spent:
                 break
             before = self.gained
             self._say("routes")
-            blocked: list[int] = []
-
-            def plan(start: int, now: Floats = world, blocked: list[int] = blocked) -> Plan:
-                found = self._planned(now[start], kept[start])
-                blocked.append(found.blocked)
-                return found
-
-            run = self.runner.advance(stage, world, self.config.reroute, "routes", plan=plan)
-            world = run.world
-            if not any(blocked):
+            rounds.append([self._planned(world) for world in run.world])
+            # what the two rounds before asked for stays: furniture shall not swing back
+            plans = [_joined(lately) for lately in zip(*rounds[-3:], strict=True)]
+            run = self.runner.advance(stage, run.world, self.config.reroute, "routes", plans=plans)
+            if not any(plan.blocked for plan in rounds[-1]):
                 break
-            best = self._best_of(run.ranked()[: self.config.judged], 0, best)
-            fruitless = self.gained == before
-        return best
+            self._try(run.ranked()[: self.config.judged])
+            if self.gained == before:
+                break
 
-    def _planned(self, world: Floats, kept: list[Floats] | None = None, *, everywhere: bool = False) -> Plan:
-        """Plan for every agent; of what is `kept`, the demands of two rounds before stay: furniture shall not swing back."""
-        if not self.config.route_rounds:
-            return Plan(np.empty((0, 4)), 0)
-        plans = [plan_routes(ground, world, everywhere=everywhere) for ground in self.grounds]
-        kept = [] if kept is None else kept
-        kept.append(np.concatenate([plan.demands for plan in plans]))
-        del kept[:-3]
-        return Plan(np.concatenate(kept), sum(plan.blocked for plan in plans))
+    def _planned(self, world: Floats, *, everywhere: bool = False) -> Plan:
+        """Plan for every agent."""
+        return _joined([plan_routes(ground, world, everywhere=everywhere) for ground in self.grounds])
 
-    def _restored(self, best: _Best) -> _Best:
-        """Put back where it was at first what was moved without need, if that is worth anything, and square what is askew."""
-        self._say("restore")
-
-        def no_worse(world: Floats) -> bool:
-            nonlocal best
-            layout = self.problem.layout(world)
-            verdict = self.judge(layout, lambda found: found.worth[:3] > best.verdict.worth[:3])
-            if verdict.worth[:3] > best.verdict.worth[:3]:
-                return False
-            best = _Best(world, replace(verdict, moved=self.problem.moved(world)), best.phase)
-            return True
-
-        if not self.blind:
-            restored(self.problem, best.world, no_worse, self.effort.put_back)
-        squared(self.problem, best.world, no_worse)
-        return best
-
-    def _mended(self, best: _Best, number: int, most: int) -> _Best:
+    def _mend(self, most: int) -> None:
         """Place single things to blame anew while all else stays, in turn, as long as the judge likes that better."""
         turn = 0
         for _ in range(most):
-            slots = [self.problem.slot[name] for name in best.verdict.culprits]
-            slots = [slot for slot in slots if slot in self.builder.moving]
-            if best.verdict.ok or not slots or self.spent:
+            slots = self._blamed(0)
+            if self.verdict.ok or not slots or self.spent:
                 break
-            world = self.repairer.mended(best.world, slots[turn // MENDING.ways % len(slots)], turn % MENDING.ways)
-            found = self._judged(world, number, best)
-            turn += 1
-            if found.verdict.worth < best.verdict.worth:
-                best, turn = found, 0
-        return best
+            world = self.repair.mended(self.world, slots[turn // MENDING.ways % len(slots)], turn % MENDING.ways)
+            turn = 0 if self._judged(world, self.verdict.worth) else turn + 1
 
-    def _repair(self, best: _Best) -> _Best:
-        """Place what is to blame anew for longer, whatever stage it is of."""
+    def _repair(self) -> None:
+        """Place what is to blame anew for longer, now that all stages are there."""
         self._say("repair")
-        self.gained = self.judgements
-        return self._mended(best, len(self.stages) - 1, 4 * self.effort.mendings)
+        self.gained, self.number = self.judgements, len(self.stages) - 1
+        self._mend(4 * self.effort.mendings)
+
+    def _restore(self) -> None:
+        """Put back where it was at first what was moved without need, if that is worth anything, and square what is askew."""
+        self.progress("restore")
+        self.phase = self.made_by
+
+        def no_worse(world: Floats) -> bool:
+            return self._judged(world, (*self.verdict.worth[:3], math.inf))
+
+        if not self.blind:
+            restored(self.problem, self.world, no_worse, self.effort.put_back)
+        squared(self.problem, self.world, no_worse)
 
 
-def _different(worlds: Iterable[Floats]) -> Floats:
-    """Return layouts (k, n, 4) without those that are there twice, in order."""
-    found = np.array(list(worlds))
-    _, first = np.unique(found.reshape(len(found), -1), axis=0, return_index=True)
-    return found[np.sort(first)]
-
-
-def near(problem: Problem, world: Floats, moving: tuple[int, ...], count: int, rng: np.random.Generator) -> Floats:
-    """Return poses (n, 4) and slight jitter of what moves in them: (count, n, 4)."""
-    scale = 0.1 if problem.parent[moving[0]] >= 0 else 1.0
-    starts = np.repeat(world[None], count, axis=0)
-    for k, start in enumerate(starts[1:], 1):
-        sigma = (0.05 + 0.3 * k / count) * scale
-        for slot in moving:
-            start[slot, :2] += rng.normal(0.0, sigma, 2)
-            if rng.random() < sigma / 2 and problem.guessed:
-                start[slot, 2:] = [-start[slot, 3], start[slot, 2]]
-    bring_in(problem, starts, moving)
-    return starts
-
-
-def bring_in(problem: Problem, starts: Floats, moving: tuple[int, ...]) -> None:
-    """Put things whose centre lies outside the room onto the nearest point of its floor."""
-    room = Polygon(problem.scene.room.vertices)
-    shapely.prepare(room)
-    for slot in moving:
-        if problem.parent[slot] < 0:
-            points = np.asarray(shapely.points(starts[:, slot, :2]))
-            outside = ~shapely.covers(room, points)
-            ways = shapely.shortest_line(points[outside], room)
-            starts[outside, slot, :2] = shapely.get_coordinates(ways)[1::2]
+def _joined(plans: Sequence[Plan]) -> Plan:
+    """Return several plans as one."""
+    demands = [np.empty((0, 4)), *(plan.demands for plan in plans)]
+    return Plan(np.concatenate(demands), sum(plan.blocked for plan in plans))

@@ -41,17 +41,17 @@ class Mending:
 
 MENDING = Mending()
 
+QUARTERS = np.array([(0.0, 0.0, -1.0, 0.0), (0.0, 0.0, 0.0, 1.0), (0.0, 0.0, 0.0, -1.0)])
+"""Turns in place by half, a quarter, and three quarters."""
+
 
 class Repair:
     """Makes better candidates of one problem's layouts."""
 
-    def __init__(self, stages: Sequence[Stage], runner: Runner, config: SolverConfig, builder: Builder) -> None:
-        self.stages, self.problem = stages, builder.problem
-        self.runner = runner
-        self.config = config
-        self.builder = builder
-        self.rng = builder.rng
-        self.proposals = builder.proposals
+    def __init__(self, stages: Sequence[Stage], runner: Runner, config: SolverConfig, rng: np.random.Generator) -> None:
+        self.stages, self.problem, self.runner, self.config, self.rng = stages, stages[0].problem, runner, config, rng
+        self.builder = Builder(stages[0], rng, config.weights)
+        self.proposals = self.builder.proposals
         self.groups = _groups(self.problem)
 
     def near(self, world: Floats, slot: int, plan_for: Callable[[Floats], Plan]) -> Iterator[Floats]:
@@ -61,8 +61,8 @@ class Repair:
         found = [self._elsewhere(score, world, slot, plan, along) for along in dict.fromkeys((frozenset[int](), group))]
         tries, costs = (np.concatenate(parts) for parts in zip(*found, strict=True))
         yield from tries
-        picked = tries[_unlike(tries[:, slot], costs, [], BATCH)]
-        run = self.runner.advance(stage, picked, self.config.polish, "mend", plan=lambda k: plan_for(picked[k]))
+        picked = tries[_unlike(tries[:, slot], costs, 0, BATCH)]
+        run = self.runner.advance(stage, picked, self.config.polish, "mend", plans=[*map(plan_for, picked)])
         yield from run.ranked()
 
     def _elsewhere(
@@ -70,14 +70,14 @@ class Repair:
     ) -> tuple[Floats, Floats]:
         """Return the most promising layouts with a thing, and what goes along with it, elsewhere near its guess; and their costs."""
         free = not any(term.heading is not None or term.look is not None for term in self.proposals.rows(slot))
-        turned = [_turned(world[[slot]], quarter) for quarter in (2, 1, 3) if free]
-        poses = np.concatenate([*turned, self._around(slot, world)])
+        turned = compose(world[slot], QUARTERS[: 3 * free])
+        poses = np.concatenate([turned, self._around(slot, world)])
         there = np.array(self.problem.stage) <= self.problem.stage[slot]
         there[list(along)] = False
         cost, _ = score.hard(slot, poses, world, there)
         cost += score.statements(slot, poses, world, there) + score.routes(slot, poses, plan.demands)
-        first = list(range(len(turned)))  # as it stands, only turned: a guess is sooner wrong in this than in its place
-        chosen = _unlike(poses, cost, first, self.config.effort.looked_at)
+        # first as it stands, only turned: a guess is sooner wrong in this than in its place
+        chosen = _unlike(poses, cost, len(turned), self.config.effort.looked_at)
         tries = np.repeat(world[None], len(chosen), axis=0)
         for one, pose in zip(tries, poses[chosen], strict=True):
             carry(self.problem, one, slot, pose, along)
@@ -100,9 +100,7 @@ class Repair:
     def mended(self, world: Floats, slot: int, way: int) -> Floats:
         """Return a layout (n, 4) with one thing to blame placed anew, and what goes by it, in one of `MENDING.ways`."""
         if way == 1:
-            world = world.copy()
-            self._eject(world, slot)
-            return world
+            return self._ejected(world, slot)
         moved = {slot} | self.groups[slot]
         if way == 2:
             moved |= self._loose_about(slot, world)
@@ -110,12 +108,13 @@ class Repair:
             moved |= self._near(slot, world)
         return self.builder.build(world, moved & set(self.builder.moving))
 
-    def _eject(self, world: Floats, slot: int) -> None:
-        """Put a thing, in place, where its statements want it, and what stands there or goes by it somewhere else."""
+    def _ejected(self, world: Floats, slot: int) -> Floats:
+        """Return a layout with a thing where its statements want it, and what stands there or goes by it somewhere else."""
+        world = world.copy()
         carry(self.problem, world, slot, self.proposals.draw(slot, world, 1, self.rng)[0])
         there = self.builder.score.touched(slot, world[[slot]], world)
         moved = there | self.groups[slot].union(*(self.groups[other] for other in there))
-        world[:] = self.builder.build(world, (moved & set(self.builder.moving)) - {slot})
+        return self.builder.build(world, (moved & set(self.builder.moving)) - {slot})
 
     def _loose_about(self, slot: int, world: Floats) -> set[int]:
         """Return what no statement holds and what stands where those of a slot would have it."""
@@ -139,21 +138,15 @@ def _rings(pose: Floats, radii: Sequence[float]) -> Floats:
     return compose(pose, np.column_stack([steps, np.ones(len(steps)), np.zeros(len(steps))]))
 
 
-def _unlike(poses: Floats, cost: Floats, first: Sequence[int], most: int) -> list[int]:
+def _unlike(poses: Floats, cost: Floats, first: int, most: int) -> list[int]:
     """Return which of some poses (m, 4) to try: the first ones, and so many of the cheapest that are not the same try."""
-    chosen = list(first)
+    chosen = list(range(first))
     for k in np.argsort(cost, kind="stable").tolist():
-        if len(chosen) == len(first) + most:
+        if len(chosen) == first + most:
             break
         if not chosen or np.abs(poses[chosen] - poses[k]).max(axis=1).min() > MENDING.alike:
             chosen.append(k)
     return chosen
-
-
-def _turned(poses: Floats, quarter: int) -> Floats:
-    """Return poses (m, 4) turned in place by quarters of a full turn."""
-    c, s = round(math.cos(quarter * math.pi / 2)), round(math.sin(quarter * math.pi / 2))
-    return compose(poses, np.array([0.0, 0.0, c, s]))
 
 
 def _groups(problem: Problem) -> list[set[int]]:

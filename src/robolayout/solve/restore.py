@@ -67,7 +67,7 @@ def squared(problem: Problem, world: Floats, no_worse: Callable[[Floats], bool])
     walls = [math.atan2(*wall.direction[::-1]) for wall in problem.scene.room.walls]
     for slot, name in enumerate(problem.names):
         yaw = math.atan2(world[slot, 3], world[slot, 2])
-        off = min((_off_square(yaw - wall) for wall in walls), key=abs)
+        off = min((math.remainder(yaw - wall, math.pi / 2) for wall in walls), key=abs)
         meant = name in problem.guessed and math.dist(problem.start[slot, 2:], world[slot, 2:]) < SAME
         if not STRAIGHT < abs(off) < ASKEW or meant or name in problem.pinned:
             continue
@@ -87,11 +87,6 @@ def squared(problem: Problem, world: Floats, no_worse: Callable[[Floats], bool])
                 world = trial
                 break
     return world
-
-
-def _off_square(angle: float) -> float:
-    """Return by how many radians an angle is off the nearest multiple of a right one."""
-    return angle - round(angle / (math.pi / 2)) * (math.pi / 2)
 
 
 def _nearer(problem: Problem, world: Floats, slot: int, no_worse: Callable[[Floats], bool]) -> Floats:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
 from typing import Any, NamedTuple
 
@@ -72,16 +72,16 @@ class Runner:
         phase: SearchConfig,
         label: str,
         *,
-        plan: Callable[[int], Plan] | None = None,
+        plans: Sequence[Plan] = (),
     ) -> Run:
-        """Run one phase from world poses (K, n, 4), in batches side by side; `plan` says the routes of a start."""
+        """Run one phase from world poses (K, n, 4), in batches side by side; `plans` are the routes of each."""
 
-        def run(part: range) -> Found:
-            arguments = _arguments(stage, world[part], phase, [plan(k) for k in part] if plan else [])
+        def run(part: slice) -> Found:
+            arguments = _arguments(stage, world[part], phase, plans[part])
             local, after, *terms, history, shots = programs.call(PROGRAM, *arguments, weights=self.config.weights)
             return Found(local, after, Losses(*terms), history, shots)
 
-        parts = [range(len(world))[begin : begin + BATCH] for begin in range(0, len(world), BATCH)]
+        parts = [slice(begin, begin + BATCH) for begin in range(0, len(world), BATCH)]
         with ThreadPoolExecutor(PROCESSORS) as pool:
             results = list(pool.map(run, parts))
         runs = [self._run(stage, world[part], found) for part, found in zip(parts, results, strict=True)]

@@ -16,7 +16,7 @@ import numpy as np
 from robolayout.solve.compile import Floats
 from robolayout.solve.paper.project import projected
 from robolayout.solve.paper.solver import Compared, Evaluation, paper_loss, random_start
-from robolayout.solve.solution import Solution, conclude
+from robolayout.solve.solution import Solution
 
 
 @dataclass(frozen=True)
@@ -140,7 +140,7 @@ class ScipySolver(Compared):
         raw = self._world(_on_circle(x))
         layouts = [self.problem.layout(world) for world in (projected(self.problem, raw), raw)]
         verdict, layout = min(((self.judge(one), one) for one in layouts), key=lambda found: found[0].merit)
-        return conclude(layout, verdict, self.trace)
+        return Solution(layout, verdict, trace=self.trace)
 
 
 def _on_circle(x: Floats) -> Floats:

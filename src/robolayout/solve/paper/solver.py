@@ -18,10 +18,9 @@ from shapely import Polygon
 from robolayout.scene import Room, Snapshot, Trace
 from robolayout.solve import programs
 from robolayout.solve.compile import Floats, Problem
-from robolayout.solve.judge import Judge
 from robolayout.solve.paper.project import footprint, into_room, outside, projected
 from robolayout.solve.paper.table import make_table, overlap_pairs
-from robolayout.solve.solution import Progress, Solution, conclude, silent, snapshot
+from robolayout.solve.solution import Judge, Progress, Solution, silent, snapshot
 
 TERMS = ("overlap", "statements", "reachability")
 """The terms of L_total: no overlap, existing and new constraints (solved together), pairwise reach."""
@@ -233,7 +232,7 @@ class PaperSolver(Compared):
             better = self.judge(refined)
             if better.merit < verdict.merit:
                 layout, verdict = refined, better
-        return conclude(layout, verdict, self.trace)
+        return Solution(layout, verdict, trace=self.trace)
 
     def search(self, world: Floats) -> Floats:
         """Return world poses (n, 4) after the main optimisation."""
