@@ -15,7 +15,7 @@ import pytest
 from page_runs import HOSTILE, MOMENTS, PLACES, run_of
 
 from robolayout import page_html
-from robolayout.page.notes import rule_rows
+from robolayout.page.marks import rule_rows
 from robolayout.program import read_program
 from robolayout.run.result import Result
 from robolayout.scene import Asset, Room, Scene, Snapshot, Trace

@@ -5,8 +5,8 @@ import pytest
 
 from robolayout._color import linear
 from robolayout.assets import Material, Part
-from robolayout.render._light import encode, sky_directions
 from robolayout.render._mesh import merge, parts_mesh, refined, scene_mesh, welded
+from robolayout.render._rays import encode, sky_directions
 
 PAINT = Material("paint", (0.5, 0.5, 0.5))
 

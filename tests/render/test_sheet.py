@@ -14,8 +14,7 @@ import pytest
 import shapely
 from PIL import Image
 
-from robolayout.page.marks import sheet_marks
-from robolayout.page.notes import sheet_notes
+from robolayout.page.marks import sheet_marks, sheet_notes
 from robolayout.render import PlanMarks, SheetNotes, draw_sheet
 from robolayout.scene import Agent, Asset, Layout, Opening, Pose, Room, Scene
 from robolayout.verify import verify

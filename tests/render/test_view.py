@@ -8,10 +8,9 @@ import pytest
 from robolayout._errors import InputError, LayoutError, UnknownNameError
 from robolayout.assets import Material, Part
 from robolayout.render import Studio, _gl, render_asset, render_view
-from robolayout.render._cutaway import hidden_parts, near_walls
 from robolayout.render._mesh import parts_mesh
 from robolayout.render.camera import fitted_camera, room_points
-from robolayout.render.view import make_renderer
+from robolayout.render.view import hidden_parts, make_renderer, near_walls
 from robolayout.scene import Asset, Layout, Pose, Room, Scene
 
 needs_egl = pytest.mark.skipif(_gl.why_unavailable() is not None, reason="no EGL on this machine")

@@ -11,7 +11,7 @@ from film_frames import frames
 from robolayout._errors import InputError
 from robolayout.render import PlanMarks, walk_gif
 from robolayout.render._style import FILM
-from robolayout.render.walk import tour
+from robolayout.render.animation import tour
 from robolayout.scene import Agent, Layout
 
 SQUARE = ((0.0, 0.0), (6.0, 0.0), (6.0, 4.0), (0.0, 4.0))

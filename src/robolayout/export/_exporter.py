@@ -8,6 +8,7 @@ import struct
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import wraps
+from importlib.resources import files
 
 import numpy as np
 
@@ -169,6 +170,11 @@ def covers(place: Pose, other: Asset, pose: Pose) -> bool:
     return abs(ahead) <= other.size[0] / 2 and abs(left) <= other.size[1] / 2
 
 
+def data_file(name: str) -> str:
+    """Return the text of a file that formats are made from."""
+    return files("robolayout.export").joinpath("data", name).read_text(encoding="utf-8")
+
+
 def dump_json(content: object) -> bytes:
     """Return JSON text, indented, with a newline at its end; numbers keep every digit."""
     return utf8(pretty(content))
@@ -185,8 +191,10 @@ def reader(what: str) -> Callable[[Callable[[bytes], Rows]], Read]:
                     f"this {what} is larger than {LIMITS.mesh_bytes // 1_000_000} MB; export fewer things."
                 )
             try:
-                found = _contents(rows(data))
-                astray = [name for name, pose in found.layout.items() if not pose.is_finite]
+                found = [(name, pose, tuple(map(float, size))) for name, pose, size in rows(data)]
+                layout = Layout({name: pose for name, pose, _ in found})
+                sizes = {name: (d, w, h) for name, _, size in found if size for d, w, h in [size]}
+                astray = [name for name, pose in layout.items() if not pose.is_finite]
             except Unreadable as error:
                 raise LayoutError(f"this {what} {error}. Was the file written to its end?") from error
             except _ASTRAY as error:
@@ -198,23 +206,11 @@ def reader(what: str) -> Callable[[Callable[[bytes], Rows]], Read]:
                 raise LayoutError(
                     f"this {what} gives {astray[0]!r} a pose that is not finite; export the layout again."
                 )
-            return found
+            return Contents(layout, sizes)
 
         return read
 
     return decorate
-
-
-def _contents(rows: Rows) -> Contents:
-    """Return what rows say."""
-    poses: dict[str, Pose] = {}
-    sizes: dict[str, tuple[float, float, float]] = {}
-    for name, pose, size in rows:
-        poses[name] = pose
-        if sides := tuple(map(float, size)):
-            depth, width, height = sides
-            sizes[name] = (depth, width, height)
-    return Contents(Layout(poses), sizes)
 
 
 def mass(asset: Asset) -> float:

@@ -14,15 +14,10 @@ from itertools import pairwise
 
 from robolayout._errors import LayoutError
 from robolayout._text import printable
-from robolayout.export._exporter import Exporter, Options, Rows, placed, reader
+from robolayout.export._exporter import Exporter, Options, Rows, data_file, placed, reader
 from robolayout.scene import Asset, Layout, Opening, Point, Pose, Room, Scene
 
 APPLICATION = "ROBOLAYOUT"
-LAYERS = {
-    "FLOOR": 8, "WALLS": 7, "DOORS": 3, "WINDOWS": 5, "RUGS": 9, "FURNITURE": 30, "TOPS": 40, "WALL_MOUNTED": 6,
-    "CEILING": 4, "NAMES": 7, "ROUTES": 1,
-}  # fmt: skip
-"""Layers and their colours (AutoCAD colour index)."""
 
 
 @dataclass(frozen=True)
@@ -52,16 +47,16 @@ def write(scene: Scene, layout: Layout, options: Options) -> bytes:
             entities += _polyline("ROUTES", line)
     for asset, pose in rows:
         entities += _insert(blocks[asset.name], asset, pose) + _name(asset, pose)
-    sections = {
-        "HEADER": _header(scene.room),
-        "TABLES": _tables(),
-        "BLOCKS": [group for asset, _ in rows for group in _block(blocks[asset.name], asset)],
-        "ENTITIES": entities,
-    }
-    groups: list[Group] = []
-    for name, content in sections.items():
-        groups += [(0, "SECTION"), (2, name), *content, (0, "ENDSEC")]
-    return "".join(f"{code:>3}\r\n{_text(value)}\r\n" for code, value in [*groups, (0, "EOF")]).encode("ascii")
+    x0, y0, x1, y1 = scene.room.bounds
+    head = data_file("plan.dxf").format(left=x0 - 0.5, low=y0 - 0.5, right=x1 + 0.5, high=y1 + 0.5)
+    groups: list[Group] = [(int(code), value) for code, value in (line.split(" ", 1) for line in head.splitlines())]
+    groups += [
+        (0, "SECTION"),
+        (2, "BLOCKS"),
+        *(group for asset, _ in rows for group in _block(blocks[asset.name], asset)),
+    ]
+    groups += [(0, "ENDSEC"), (0, "SECTION"), (2, "ENTITIES"), *entities, (0, "ENDSEC"), (0, "EOF")]
+    return "".join(f"{code:>3}\r\n{_text(value)}\r\n" for code, value in groups).encode("ascii")
 
 
 def _text(value: object) -> str:
@@ -76,24 +71,6 @@ def _plain(text: str) -> str:
     """Return what `_text` was made from."""
     whole = re.sub(r"\\U\+([0-9A-F]{4})", lambda found: chr(int(found[1], 16)), text)
     return whole.encode("utf-16-be", "surrogatepass").decode("utf-16-be", "replace")
-
-
-def _header(room: Room) -> list[Group]:
-    """Return the release, the units (metres), and the corners of the drawing."""
-    x0, y0, x1, y1 = room.bounds
-    groups: list[Group] = [(9, "$ACADVER"), (1, "AC1009"), (9, "$INSUNITS"), (70, 6), (9, "$MEASUREMENT"), (70, 1)]
-    groups += [(9, "$EXTMIN"), (10, x0 - 0.5), (20, y0 - 0.5), (30, 0.0)]
-    return [*groups, (9, "$EXTMAX"), (10, x1 + 0.5), (20, y1 + 0.5), (30, 0.0)]
-
-
-def _tables() -> list[Group]:
-    groups: list[Group] = [(0, "TABLE"), (2, "LTYPE"), (70, 1), (0, "LTYPE"), (2, "CONTINUOUS"), (70, 0)]
-    groups += [(3, "Solid line"), (72, 65), (73, 0), (40, 0.0), (0, "ENDTAB")]
-    groups += [(0, "TABLE"), (2, "LAYER"), (70, len(LAYERS))]
-    for name, color in LAYERS.items():
-        groups += [(0, "LAYER"), (2, name), (70, 0), (62, color), (6, "CONTINUOUS")]
-    groups += [(0, "ENDTAB"), (0, "TABLE"), (2, "APPID"), (70, 1), (0, "APPID"), (2, APPLICATION), (70, 0)]
-    return [*groups, (0, "ENDTAB")]
 
 
 def _polyline(layer: str, points: Iterable[Point], *, closed: bool = False) -> list[Group]:

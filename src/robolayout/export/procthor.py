@@ -11,27 +11,38 @@ boxes) is `data/thor_assets.csv`, derived from the PyPI package procthor (Allen 
 from __future__ import annotations
 
 import csv
+import json
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from functools import cache
-from importlib.resources import files
 from itertools import pairwise
-from typing import cast
+from typing import Any, cast
 
 from robolayout._errors import LayoutError
 from robolayout._reading.syntax import decoded, json_value
 from robolayout.assets import parts
-from robolayout.export._exporter import Exporter, Json, Options, Rows, dump_json, is_movable, placed, reader, supporter
-from robolayout.export._scenery import lamp as lamp_light
+from robolayout.export._exporter import (
+    Exporter,
+    Json,
+    Options,
+    Rows,
+    data_file,
+    dump_json,
+    is_movable,
+    placed,
+    reader,
+    supporter,
+)
+from robolayout.export._scenery import lamp
 from robolayout.export.mjcf import start
 from robolayout.scene import Asset, Layout, Opening, Pose, Room, Scene, Wall
 
 ROOM = "room|2"  # rooms of THOR are numbered from 2; 1 is outside
 AGENT_HEIGHT = 0.95  # height in metres of the middle of THOR's default agent
 
-ROOM_TYPES = {"kitchen": "Kitchen", "bath": "Bathroom", "bed": "Bedroom"}
-WALL_MATERIAL, FLOOR_MATERIAL, OUTSIDE_MATERIAL = "PureWhite", "WoodFloorsCross", "BrownDrywall"
+ROOM_TYPES = {"kitchen": "Kitchen", "bath": "Bathroom", "bed": "Bedroom"}  # by words; all others are living rooms
+WALL_MATERIAL, OUTSIDE_MATERIAL = "PureWhite", "BrownDrywall"
 
 Hole = tuple[str, int, Opening]  # kind ("door", "window"), number and opening
 Size = tuple[float, float, float]
@@ -52,8 +63,7 @@ class ThorAsset:
 
 def _rows(name: str) -> list[dict[str, str]]:
     """Return the rows of a table of this package, without its comment lines."""
-    text = files("robolayout.export").joinpath("data", name).read_text(encoding="utf-8")
-    return list(csv.DictReader(line for line in text.splitlines() if not line.startswith("#")))
+    return list(csv.DictReader(line for line in data_file(name).splitlines() if not line.startswith("#")))
 
 
 @cache
@@ -131,17 +141,29 @@ def write(scene: Scene, layout: Layout, options: Options) -> bytes:
     for index, (_, _, end, hole) in enumerate(pieces):
         if hole is not None:
             covers[hole[0]].append(_cover(index, end, *hole))
-    objects, assets = _objects(scene, layout)
-    house: Json = {
-        "doors": covers["door"],
-        "metadata": _metadata(scene, assets, options.left_out),
-        "objects": objects,
-        "proceduralParameters": _parameters(scene, layout),
-        "rooms": [_room(scene)],
-        "walls": inside + outside,
-        "windows": covers["window"],
+    house: dict[str, Any] = json.loads(data_file("house.json"))
+    house["objects"], assets = _objects(scene, layout)
+    first = house["metadata"]["agent"] | _pose(replace(start(scene, Options()), z=AGENT_HEIGHT))
+    house["metadata"] |= {"agent": first, "agentPoses": dict.fromkeys(house["metadata"]["agentPoses"], first)}
+    house["metadata"]["robolayout"] = {"scene": scene.name, "assets": assets, "leftOut": list(options.left_out)}
+    house["proceduralParameters"]["lights"] = list(_lights(scene, layout, *house["proceduralParameters"]["lights"]))
+    words = f"{scene.name} {scene.task_description}".lower()
+    house["rooms"][0] |= {
+        "roomType": next((kind for word, kind in ROOM_TYPES.items() if word in words), "LivingRoom"),
+        "floorPolygon": [_vector(x, y, 0.0) for x, y in reversed(scene.room.vertices)],  # clockwise in plan
     }
-    return dump_json(house)
+    return dump_json(house | {"doors": covers["door"], "walls": inside + outside, "windows": covers["window"]})
+
+
+def _lights(scene: Scene, layout: Layout, sun: Json, bulb: Json) -> Iterator[Json]:
+    """Yield a soft sun, and a light like `bulb` where our lamps hang (without any, under the ceiling's middle)."""
+    yield sun
+    low_x, low_y, high_x, high_y = scene.room.bounds
+    spots = [layout[a.name] for a in scene.assets if a.name in layout and a.on_ceiling and lamp(parts(a))]
+    spots = spots or [Pose((low_x + high_x) / 2, (low_y + high_y) / 2, scene.room.wall_height - 0.2, 0.0)]
+    for number, spot in enumerate(spots, 2):
+        place = {"id": f"light_{number}", "position": _vector(spot.x, spot.y, spot.z)}
+        yield {**bulb, **place, "intensity": 0.75 / len(spots)}
 
 
 def _vector(x: float, y: float, z: float) -> Json:
@@ -239,59 +261,6 @@ def _pose(pose: Pose) -> Json:
     """Return a Unity position and rotation."""
     turn = (90.0 - math.degrees(pose.yaw)) % 360.0
     return {"position": _vector(pose.x, pose.y, pose.z), "rotation": {"x": 0.0, "y": turn, "z": 0.0}}
-
-
-def _room(scene: Scene) -> Json:
-    """Return the room; floor corners run clockwise in plan."""
-    words = f"{scene.name} {scene.task_description}".lower()
-    kind = next((value for word, value in ROOM_TYPES.items() if word in words), "LivingRoom")
-    floor = [_vector(x, y, 0.0) for x, y in reversed(scene.room.vertices)]
-    material: Json = {"name": FLOOR_MATERIAL}
-    return {
-        "id": ROOM,
-        "roomType": kind,
-        "floorMaterial": material,
-        "floorPolygon": floor,
-        "ceilings": [],
-        "children": [],
-    }
-
-
-def _metadata(scene: Scene, assets: dict[str, Json], left_out: Sequence[str]) -> Json:
-    """Return the schema, the agent's start and our own facts."""
-    first = replace(start(scene, Options()), z=AGENT_HEIGHT)
-    pose: Json = {"horizon": 30, "standing": True, **_pose(first)}
-    return {
-        "agent": pose,
-        "agentPoses": {mode: pose for mode in ("default", "arm", "locobot", "stretch")},
-        "roomSpecId": "robolayout",
-        "schema": "1.0.0",
-        "robolayout": {"scene": scene.name, "assets": assets, "leftOut": list(left_out)},
-    }
-
-
-def _parameters(scene: Scene, layout: Layout) -> Json:
-    """Return ceiling, sky and lights: a soft sun, and a lamp where ours hang (without any, under the ceiling's middle)."""
-    low_x, low_y, high_x, high_y = scene.room.bounds
-    spots = [layout[a.name] for a in scene.assets if a.name in layout and a.on_ceiling and lamp_light(parts(a))]
-    spots = spots or [Pose((low_x + high_x) / 2, (low_y + high_y) / 2, scene.room.wall_height - 0.2, 0.0)]
-    shadow: Json = {"type": "Soft", "strength": 1, "normalBias": 0, "bias": 0.05, "nearPlane": 0.2}
-    shadow["resolution"] = "FromQualitySettings"
-    white: Json = {"r": 1.0, "g": 1.0, "b": 1.0}
-    sun: Json = {"id": "DirectionalLight", "type": "directional", "intensity": 0.35, "indirectMultiplier": 1.0}
-    sun |= {"position": {"x": 0.84, "y": 0.1855, "z": -1.09}, "rotation": {"x": 43.4, "y": -3.9, "z": -63.6}}
-    lights = [sun]
-    for number, spot in enumerate(spots):
-        lamp: Json = {"id": f"light_{number + 2}", "type": "point", "intensity": 0.75 / len(spots), "range": 15}
-        lights.append({**lamp, "position": _vector(spot.x, spot.y, spot.z)})
-    return {
-        "ceilingMaterial": {"name": WALL_MATERIAL},
-        "floorColliderThickness": 1.0,
-        "lights": [{**light, "rgb": white, "shadow": shadow} for light in lights],
-        "receptacleHeight": 0.7,
-        "reflections": [],
-        "skyboxId": "Sky1",
-    }
 
 
 @reader("house")

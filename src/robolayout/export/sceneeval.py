@@ -9,9 +9,10 @@ later of two things away: rugs have holes where furniture stands, and come first
 
 from __future__ import annotations
 
+import json
 import math
 from dataclasses import replace
-from typing import cast
+from typing import Any, cast
 
 from robolayout._errors import LayoutError
 from robolayout._reading.syntax import decoded, json_value
@@ -22,6 +23,7 @@ from robolayout.export._exporter import (
     Json,
     Options,
     Rows,
+    data_file,
     dump_json,
     facts,
     hangs,
@@ -61,9 +63,10 @@ def make(scene: Scene, layout: Layout, options: Options) -> Bundle:
         entry["transform"] = {"rows": 4, "cols": 4, "data": _matrix(pose)}
         entry["metadata"] = facts(asset, movable=is_movable(asset, scene, layout))
         objects.append(entry)
-    state: Json = {"version": "scene@1.0.2", "id": scene.name, "up": [0, 0, 1], "front": [0, 1, 0], "unit": 1.0}
-    state |= {"assetSource": [PREFIX], "arch": _architecture(scene.room), "object": objects}
-    return dump_json({"format": "sceneState", "scene": state, "selected": []}), files
+    state: dict[str, Any] = json.loads(data_file("scene_state.json"))
+    state["scene"] |= {"id": scene.name, "object": objects}
+    _build(state["scene"]["arch"], scene.room)
+    return dump_json(state), files
 
 
 def _matrix(pose: Pose) -> list[float]:
@@ -73,15 +76,13 @@ def _matrix(pose: Pose) -> list[float]:
     return [*left, *up, *front, pose.x, pose.y, pose.z, 1.0]
 
 
-def _architecture(room: Room) -> Json:
-    """Return floor and walls with their holes; a hole is a rectangle along its wall and up from the floor."""
-    floor: Json = {"id": f"{ROOM}|floor", "roomId": ROOM, "type": "Floor", "depth": 0.05}
-    floor["points"] = [[x, y, 0.0] for x, y in room.vertices]
-    walls: list[Json] = []
+def _build(arch: dict[str, Any], room: Room) -> None:
+    """Add floor and walls with their holes; a hole is a rectangle along its wall and up from the floor."""
+    arch["elements"][0]["points"] = [[x, y, 0.0] for x, y in room.vertices]
     for wall in room.walls:
         holes = [("Door", door) for door in room.doors if door.wall == wall.index]
         holes += [("Window", window) for window in room.windows if window.wall == wall.index]
-        walls.append(
+        arch["elements"].append(
             {
                 "id": f"{ROOM}|wall|{wall.index}",
                 "roomId": ROOM,
@@ -92,17 +93,7 @@ def _architecture(room: Room) -> Json:
                 "holes": [_hole(kind, number, opening) for number, (kind, opening) in enumerate(holes)],
             }
         )
-    return {
-        "version": "arch@1.0.2",
-        "id": "robolayout-arch",
-        "up": [0, 0, 1],
-        "front": [0, 1, 0],
-        "coords2d": [0, 1],
-        "scaleToMeters": 1.0,
-        "defaults": {"Wall": {"depth": THICKNESS, "extraHeight": 0.0}, "Floor": {"depth": 0.05}},
-        "elements": [floor, *walls],
-        "regions": [{"id": ROOM, "type": "Other", "walls": [wall["id"] for wall in walls]}],
-    }
+    arch["regions"][0]["walls"] = [element["id"] for element in arch["elements"][1:]]
 
 
 def _hole(kind: str, number: int, opening: Opening) -> Json:

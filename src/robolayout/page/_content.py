@@ -13,7 +13,7 @@ from shapely import Polygon
 from shapely.geometry.base import BaseGeometry
 
 from robolayout._version import __version__
-from robolayout.page.notes import rule_rows
+from robolayout.page.marks import rule_rows
 from robolayout.program import Reconciled
 from robolayout.render import PlanMarks, palette
 from robolayout.render.animation import spread

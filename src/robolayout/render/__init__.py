@@ -13,6 +13,7 @@ if TYPE_CHECKING:
     from robolayout.render._drawing import Drawing as Drawing
     from robolayout.render._drawing import png_bytes as png_bytes
     from robolayout.render.animation import progress_gif as progress_gif
+    from robolayout.render.animation import walk_gif as walk_gif
     from robolayout.render.annotation import annotate as annotate
     from robolayout.render.annotation import annotation_camera as annotation_camera
     from robolayout.render.annotation import annotation_marks as annotation_marks
@@ -20,8 +21,8 @@ if TYPE_CHECKING:
     from robolayout.render.body import body_text as body_text
     from robolayout.render.body import draw_body as draw_body
     from robolayout.render.camera import Camera as Camera
+    from robolayout.render.contents import PlanMarks as PlanMarks
     from robolayout.render.curves import draw_losses as draw_losses
-    from robolayout.render.marks import PlanMarks as PlanMarks
     from robolayout.render.model_plan import model_plan as model_plan
     from robolayout.render.plan import draw_comparison as draw_comparison
     from robolayout.render.plan import draw_plan as draw_plan
@@ -33,6 +34,5 @@ if TYPE_CHECKING:
     from robolayout.render.view import asset_sheet as asset_sheet
     from robolayout.render.view import render_asset as render_asset
     from robolayout.render.view import render_view as render_view
-    from robolayout.render.walk import walk_gif as walk_gif
 
 __getattr__ = loader(__name__, __file__)

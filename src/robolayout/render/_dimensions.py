@@ -13,10 +13,10 @@ from itertools import pairwise
 
 import shapely
 
-from robolayout.render._architecture import Place
 from robolayout.render._drawing import Drawing, Point, text_width
 from robolayout.render._labels import Label
 from robolayout.render._style import PLAN, SHEET
+from robolayout.render.contents import Place
 from robolayout.render.palette import INK, QUIET
 from robolayout.scene import Room, Wall
 

@@ -20,9 +20,8 @@ from PIL import Image
 
 from robolayout._color import linear
 from robolayout.assets.textures import pixels
-from robolayout.render import _light
 from robolayout.render._mesh import Mesh
-from robolayout.render._rays import Lit, lit_by_sky
+from robolayout.render._rays import BOUNCE, SKY, SUN, Lit, lit_by_sky, sun_directions
 from robolayout.render._style import LIGHT, VIEW
 from robolayout.render.camera import Camera
 
@@ -56,9 +55,9 @@ def _programs(context: Any) -> dict[str, Any]:
         "shoulder": LIGHT.shoulder,
         "level": LIGHT.bounce,
         "tilt": LIGHT.bounce_tilt,
-        "sun": _text(_light.SUN),
-        "sky": _text(_light.SKY),
-        "bounce": _text(_light.BOUNCE),
+        "sun": _text(SUN),
+        "sky": _text(SKY),
+        "bounce": _text(BOUNCE),
     }
     suns = {"count": LIGHT.sun, "columns": LIGHT.sun_columns, "half": 0.5 / LIGHT.sun_tile}
     vertex = _shader("shade.vert")
@@ -95,7 +94,7 @@ class GLRenderer:
     def color(self, camera: Camera, keep: NDArray[np.bool_]) -> NDArray[np.uint8]:
         """Return the picture (height, width, 3) of the parts where `keep` (parts) holds."""
         context, gl = self._context, self._gl
-        toward = _light.sun_directions(camera)
+        toward = sun_directions(camera)
         shadows = self._coarse.corners[self._sun_blockers & keep[self._coarse.groups]]
         matrices, atlas = self._atlas(shadows, toward)
         size, samples = (camera.width, camera.height), min(4, context.max_samples)

@@ -10,12 +10,10 @@ from itertools import product
 import numpy as np
 import shapely
 
-from robolayout.render._architecture import Place
 from robolayout.render._drawing import Drawing, Point, circle, rectangle, text_width
 from robolayout.render._labels import Box, Label, Tag, place_labels
 from robolayout.render._style import LABELS, PLAN
-from robolayout.render.contents import Shown, cord, display_name, front, has_arrow
-from robolayout.render.marks import PlanMarks
+from robolayout.render.contents import Place, PlanMarks, Shown, cord, display_name, front, has_arrow
 from robolayout.render.palette import INK, NARROW, PAPER, QUIET, REACH, ROUTE, TIGHT, TURN
 from robolayout.scene import Pose, Scene, Wall, vertical_span
 

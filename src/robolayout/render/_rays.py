@@ -1,25 +1,70 @@
 """The fallback renderer: ray casting with Embree on one core, same mesh, same camera, same light as `_gl`.
 
-The light of the sky is found here for both: at the corners of a refined mesh, once for all cameras.
-
-It needs no driver at all. A 512 x 512 picture takes about a second.
+It needs no driver at all; a 512 x 512 picture takes about a second. The light of every picture is here: a soft sun, a sky, and what
+floor and walls throw back. Radiance of a surface with linear colour a and normal n:
+    a (SUN mean_i[visible_i max(0, n . sun_i)] + SKY s + BOUNCE (LIGHT.bounce - LIGHT.bounce_tilt n_z)),
+    s = (2 / K) sum_k[visible_k max(0, n . sky_k)], computed at the corners of a refined mesh, once for all cameras, and interpolated,
+plus a small highlight of the sun for glossy surfaces; then exposure, a soft shoulder above 0.75, and sRGB.
 """
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 from PIL import Image
 
-from robolayout._color import linear
+from robolayout._color import encoded, linear
 from robolayout.assets.textures import pixels
-from robolayout.render import _light
 from robolayout.render._mesh import Mesh, refined, welded
 from robolayout.render._style import LIGHT, VIEW
 from robolayout.render.camera import Camera
+
+SUN = np.array([0.98, 0.90, 0.78])
+SKY = np.array([0.60, 0.66, 0.74])
+BOUNCE = np.array([0.36, 0.345, 0.32])  # linear irradiance over pi of sun, open sky and reflected light
+
+
+@lru_cache(maxsize=1)
+def sky_directions() -> NDArray[np.float32]:
+    """Return (`LIGHT.sky`, 3) unit vectors spread evenly over the upper hemisphere (golden spiral)."""
+    k = np.arange(LIGHT.sky)
+    z = 0.06 + 0.94 * (k + 0.5) / LIGHT.sky
+    angle = k * math.pi * (3 - math.sqrt(5)) + 0.4
+    r = np.sqrt(1 - z * z)
+    return np.column_stack([r * np.cos(angle), r * np.sin(angle), z]).astype(np.float32)
+
+
+def sun_directions(camera: Camera) -> NDArray[np.float32]:
+    """Return (`LIGHT.sun`, 3) unit vectors to the sun: over the viewer's left shoulder; upper left when seen from above."""
+    right, down, forward = camera.axes
+    from_above = abs(forward[2]) > 0.9
+    behind = _unit(-down[:2] if from_above else -forward[:2])
+    level = (0.7 if from_above else 0.95) * behind - (0.7 if from_above else 0.31) * _unit(right[:2])
+    center = np.array([*(level / np.linalg.norm(level) * 0.62), 0.78])
+    center /= np.linalg.norm(center)
+    side = _unit(np.cross(center, (0.0, 0.0, 1.0)))
+    other = np.cross(center, side)
+    angles = 2 * math.pi * np.arange(LIGHT.sun) / LIGHT.sun
+    spread = 0.035 * (np.cos(angles)[:, None] * side + np.sin(angles)[:, None] * other)
+    rays = center + spread
+    return (rays / np.linalg.norm(rays, axis=1, keepdims=True)).astype(np.float32)
+
+
+def _unit(vector: NDArray[np.float64]) -> NDArray[np.float64]:
+    return vector / max(float(np.linalg.norm(vector)), 1e-9)
+
+
+def encode(radiance: NDArray[np.float32]) -> NDArray[np.float32]:
+    """Return display values in [0, 1]: shoulder, then sRGB. The same curve is in the shader of `_gl`."""
+    over = np.maximum(radiance - LIGHT.shoulder, 0)
+    bent = np.minimum(radiance, LIGHT.shoulder) + (1 - LIGHT.shoulder) * (1 - np.exp(-over / (1 - LIGHT.shoulder)))
+    return encoded(bent).astype(np.float32)
+
 
 Floats = NDArray[np.float32]
 
@@ -98,7 +143,7 @@ class RayRenderer:
             points = (camera.position + rays[hit] * far[hit, None]).astype(np.float32)
             lit, normals = self._radiance(camera, (face, weights, points), shadows)
             opacity = self._fine.colors[face, 3:]
-            colors[hit] = _light.encode(lit) * opacity + colors[hit] * (1 - opacity)
+            colors[hit] = encode(lit) * opacity + colors[hit] * (1 - opacity)
             surface[hit] = np.column_stack([self._fine.groups[face] + 1e4 * glass, normals])
             nearest[hit] = far[hit]
         return colors, surface
@@ -114,7 +159,7 @@ class RayRenderer:
         look = np.array(camera.position, np.float32) - points
         look /= np.linalg.norm(look, axis=1, keepdims=True)
         gloss = self._fine.gloss[face]
-        toward = _light.sun_directions(camera)
+        toward = sun_directions(camera)
         lifted = points + normals * np.float32(LIGHT.bias)
         sun, seen = np.zeros(len(points), np.float32), np.zeros(len(points), np.float32)
         for direction in toward:
@@ -126,8 +171,8 @@ class RayRenderer:
         half = middle / np.linalg.norm(middle) + look
         half /= np.linalg.norm(half, axis=1, keepdims=True)
         shine = seen * np.maximum((normals * half).sum(axis=1), 0) ** (8 + 56 * gloss)
-        bounce = (LIGHT.bounce - LIGHT.bounce_tilt * normals[:, 2])[:, None] * _light.BOUNCE
-        light = _light.SUN * (sun / len(toward))[:, None] + _light.SKY * sky[:, None] + bounce
+        bounce = (LIGHT.bounce - LIGHT.bounce_tilt * normals[:, 2])[:, None] * BOUNCE
+        light = SUN * (sun / len(toward))[:, None] + SKY * sky[:, None] + bounce
         away = np.linalg.norm(np.array(camera.position, np.float32) - points, axis=1)
         tint = textured(self._fine, self._textures, face, weights, away * 2 * np.tan(camera.fov / 2) / camera.height)
         light = light + self._fine.glow[face][:, None]
@@ -226,7 +271,7 @@ def _visible(scene: Any, points: Floats, direction: Floats, which: NDArray[np.bo
 def _sky(points: Floats, normals: Floats, scene: Any) -> Floats:
     """Return the irradiance (n,) of the sky at points (n, 3) with unit normals (n, 3); 1 under an open sky."""
     total = np.zeros(len(points), np.float32)
-    directions = _light.sky_directions()
+    directions = sky_directions()
     lifted = (points + normals * LIGHT.bias).astype(np.float32)
     for direction in directions:
         slope = np.maximum(normals @ direction, 0).astype(np.float32)

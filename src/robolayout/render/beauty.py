@@ -15,9 +15,8 @@ from PIL import Image
 from robolayout._color import linear
 from robolayout._errors import MissingExtraError
 from robolayout.assets.textures import pixels
-from robolayout.render import _light
 from robolayout.render._mesh import CEILING, Mesh
-from robolayout.render._rays import surfaces
+from robolayout.render._rays import SKY, SUN, encode, sun_directions, surfaces
 from robolayout.render._style import LIGHT
 from robolayout.render.camera import Camera
 from robolayout.render.view import Studio, picture_size
@@ -62,7 +61,7 @@ def _trace(mi: Any, denoise: Any, mesh: Mesh, camera: Camera, samples: int, seed
     albedo, normal = surfaces(mesh, camera)
     clean = denoise(color, albedo=albedo, normal=normal, hdr=True)
     alpha = np.clip(denoise(np.repeat(alpha, 3, axis=2))[..., :1], 0, 1)
-    shown = _light.encode(np.asarray(clean, np.float32) / np.maximum(alpha, 0.05) * LIGHT.exposure)
+    shown = encode(np.asarray(clean, np.float32) / np.maximum(alpha, 0.05) * LIGHT.exposure)
     picture = shown * alpha + np.array(LIGHT.background, np.float32) * (1 - alpha)
     return Image.fromarray(np.round(np.clip(picture, 0, 1) * 255).astype(np.uint8))
 
@@ -70,11 +69,11 @@ def _trace(mi: Any, denoise: Any, mesh: Mesh, camera: Camera, samples: int, seed
 def _world(mi: Any, mesh: Mesh, camera: Camera, samples: int) -> dict[str, Any]:
     """Return the Mitsuba scene: camera, light and one shape per material."""
     transform = mi.ScalarTransform4f
-    toward = _light.sun_directions(camera).mean(axis=0)
+    toward = sun_directions(camera).mean(axis=0)
     middle = mesh.corners.reshape(-1, 3).mean(axis=0) if len(mesh) else np.zeros(3)
     sun = middle + toward * LIGHT.sun_distance
     size = {"width": camera.width, "height": camera.height}
-    power = _light.SUN * np.pi / (np.pi * (LIGHT.sun_radius / LIGHT.sun_distance) ** 2)
+    power = SUN * np.pi / (np.pi * (LIGHT.sun_radius / LIGHT.sun_distance) ** 2)
     world: dict[str, Any] = {
         "type": "scene",
         "integrator": {"type": "path", "max_depth": 6, "rr_depth": 4, "hide_emitters": True},
@@ -87,7 +86,7 @@ def _world(mi: Any, mesh: Mesh, camera: Camera, samples: int) -> dict[str, Any]:
             "film": {"type": "hdrfilm", **size, "pixel_format": "rgba", "rfilter": {"type": "box"}},
             "sampler": {"type": "independent", "sample_count": samples},
         },
-        "sky": {"type": "constant", "radiance": {"type": "rgb", "value": (_light.SKY * 1.15).tolist()}},
+        "sky": {"type": "constant", "radiance": {"type": "rgb", "value": (SKY * 1.15).tolist()}},
         "sun": {
             "type": "disk",
             "to_world": transform().look_at(origin=sun.tolist(), target=middle.tolist(), up=[0, 0.3, 1])

@@ -11,13 +11,11 @@ from PIL import Image
 from shapely.affinity import rotate, translate
 
 from robolayout.assets import sweeps_of
-from robolayout.render._architecture import Place, draw_floor, draw_walls, placing, swings
 from robolayout.render._drawing import Drawing, Point, text_width
 from robolayout.render._marked import Naming, draw_labels, draw_marks, millimetres
 from robolayout.render._style import MODEL_PLAN, PLAN
 from robolayout.render.annotation import DOOR_COLOR, GRID_COLOR, WALL_COLOR, WHITE
-from robolayout.render.contents import Shown, draw_contents
-from robolayout.render.marks import PlanMarks
+from robolayout.render.contents import Place, PlanMarks, Shown, draw_contents, draw_floor, draw_walls, placing, swings
 from robolayout.render.palette import INK, QUIET, TIGHT
 from robolayout.render.plan import draw_legend
 from robolayout.scene import Agent, Layout, Room, Scene, Wall

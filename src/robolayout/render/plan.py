@@ -8,12 +8,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from robolayout._errors import InputError
-from robolayout.render._architecture import draw_floor, draw_walls, placing
 from robolayout.render._drawing import Drawing, Point, rectangle, text_width
 from robolayout.render._marked import Naming, draw_labels, draw_marks
 from robolayout.render._style import PLAN
-from robolayout.render.contents import Shown, draw_contents
-from robolayout.render.marks import PlanMarks
+from robolayout.render.contents import PlanMarks, Shown, draw_contents, draw_floor, draw_walls, placing
 from robolayout.render.palette import BLOCKED, FREE, INK, ISLAND, NARROW, PAPER, QUIET, REACH, ROUTE, TIGHT, TURN
 from robolayout.scene import Agent, Layout, Scene
 

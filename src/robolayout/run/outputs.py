@@ -11,8 +11,7 @@ from robolayout._files import write_atomic
 from robolayout._text import file_name, pretty
 from robolayout.export import Options, export, find_exporter, to_bytes
 from robolayout.page import content, document
-from robolayout.page.marks import plan_marks, sheet_marks
-from robolayout.page.notes import sheet_notes
+from robolayout.page.marks import plan_marks, sheet_marks, sheet_notes
 from robolayout.render import (
     Drawing,
     PlanMarks,
