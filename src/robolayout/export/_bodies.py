@@ -29,7 +29,7 @@ from robolayout.export._exporter import (
 )
 from robolayout.export._mesh import Box, FloatArray, as_box, numbers, obj, roll_pitch_yaw, volume
 from robolayout.export._rugs import laid_parts
-from robolayout.scene import Asset, Layout, Pose, Room, Scene, vertical_span
+from robolayout.scene import Asset, Layout, Pose, Scene, vertical_span
 
 
 @dataclass(frozen=True)
@@ -176,7 +176,9 @@ def things(scene: Scene, layout: Layout, options: Options, *, free: Free | None 
         for number, part in enumerate(shown)
     ]
     leaves = (replace(s, mass=BODIES.leaf_mass * volume(s.part)) if s.part.joint is not None else s for s in shapes)
-    ground = Shape("floor", shown[0], _ground(scene.room), seen=False)
+    x0, y0, x1, y1 = scene.room.bounds  # what everything stands on is a slab under the whole room, its top at zero
+    low, high = (x0 - BODIES.slab, y0 - BODIES.slab, -BODIES.slab), (x1 + BODIES.slab, y1 + BODIES.slab, 0.0)
+    ground = Shape("floor", shown[0], _around(np.array(low), np.array(high)), seen=False)
     yield Thing(free_name("room", scene), Pose(0.0, 0.0, 0.0, 0.0), _links((ground, *leaves)))
     for asset, pose in placed(scene, layout):
         pieces = tuple(
@@ -239,15 +241,6 @@ def _shape(number: int, part: Part, *, touched: bool) -> Shape:
 def _around(low: FloatArray, high: FloatArray) -> Box:
     """Return the axis-aligned box between two corners."""
     return Box((low + high) / 2, (high - low) / 2, np.eye(3))
-
-
-def _ground(room: Room) -> Box:
-    """Return what everything stands on: a slab under the whole room, its top at zero."""
-    low_x, low_y, high_x, high_y = room.bounds
-    return _around(
-        np.array([low_x - BODIES.slab, low_y - BODIES.slab, -BODIES.slab]),
-        np.array([high_x + BODIES.slab, high_y + BODIES.slab, 0.0]),
-    )
 
 
 def _stood(part: Part, leaves: str) -> Part:

@@ -78,7 +78,11 @@ def _corner_normals(positions: FloatArray, faces: IntArray, units: FloatArray) -
     so that it does not depend on how a flat side is cut into triangles.
     """
     owner = np.repeat(np.arange(len(faces)), 3)
-    weighted = units[owner] * _angles(positions, faces)[:, None]
+    here = positions[faces]
+    ahead, behind = np.roll(here, -1, axis=1) - here, np.roll(here, 1, axis=1) - here
+    lengths = np.linalg.norm(ahead, axis=2) * np.linalg.norm(behind, axis=2)
+    cosine = np.einsum("ijk,ijk->ij", ahead, behind) / np.maximum(lengths, SMALLEST_FACE)
+    weighted = units[owner] * np.arccos(np.clip(cosine, -1.0, 1.0)).reshape(-1, 1)
     order = np.argsort(faces.reshape(-1), kind="stable")
     starts = np.flatnonzero(np.diff(faces.reshape(-1)[order], prepend=-1))
     total = np.zeros((len(owner), 3))
@@ -87,15 +91,6 @@ def _corner_normals(positions: FloatArray, faces: IntArray, units: FloatArray) -
         total[ring] = (around @ around.T >= CREASE) @ weighted[ring]
     length = np.linalg.norm(total, axis=1, keepdims=True)
     return np.where(length > SMALLEST_FACE, total / np.maximum(length, SMALLEST_FACE), units[owner])
-
-
-def _angles(positions: FloatArray, faces: IntArray) -> FloatArray:
-    """Return (3 m,) the angle in radians of every face at each of its corners."""
-    here = positions[faces]
-    ahead, behind = np.roll(here, -1, axis=1) - here, np.roll(here, 1, axis=1) - here
-    lengths = np.linalg.norm(ahead, axis=2) * np.linalg.norm(behind, axis=2)
-    cosine = np.einsum("ijk,ijk->ij", ahead, behind) / np.maximum(lengths, SMALLEST_FACE)
-    return np.arccos(np.clip(cosine, -1.0, 1.0)).reshape(-1)
 
 
 def merged(parts: tuple[Part, ...]) -> tuple[tuple[Material, bool, Surface], ...]:

@@ -134,7 +134,7 @@ def _nearest_of(kind: str, size: Size) -> ThorAsset:
 
 def write(scene: Scene, layout: Layout, options: Options) -> bytes:
     """Return the house of a layout."""
-    pieces = [piece for wall in scene.room.walls for piece in _cut(wall, _holes(scene.room, wall))]
+    pieces = [piece for wall in scene.room.walls for piece in _cut(scene.room, wall)]
     inside = [_wall(scene.room, index, piece, outside=False) for index, piece in enumerate(pieces)]
     outside = [_wall(scene.room, index, piece, outside=True) for index, piece in enumerate(pieces)]
     covers: dict[str, list[Json]] = {"door": [], "window": []}
@@ -175,14 +175,11 @@ Piece = tuple[Wall, float, float, Hole | None]
 """A wall, the metres along it where the piece starts and ends, and the hole in it."""
 
 
-def _holes(room: Room, wall: Wall) -> list[Hole]:
-    found = [("door", i, door) for i, door in enumerate(room.doors) if door.wall == wall.index]
-    found += [("window", i, window) for i, window in enumerate(room.windows) if window.wall == wall.index]
-    return sorted(found, key=lambda hole: hole[2].offset)
-
-
-def _cut(wall: Wall, holes: list[Hole]) -> list[Piece]:
+def _cut(room: Room, wall: Wall) -> list[Piece]:
     """Return a wall in pieces with at most one hole each, cut half-way between the holes."""
+    holes = [("door", i, door) for i, door in enumerate(room.doors) if door.wall == wall.index]
+    holes += [("window", i, window) for i, window in enumerate(room.windows) if window.wall == wall.index]
+    holes.sort(key=lambda hole: hole[2].offset)
     between = ((a.offset + a.width + b.offset) / 2 for (_, _, a), (_, _, b) in pairwise(holes))
     cuts = pairwise([0.0, *between, wall.length])
     return [(wall, start, end, hole) for (start, end), hole in zip(cuts, holes or [None], strict=True)]

@@ -14,7 +14,7 @@ from itertools import pairwise
 import shapely
 
 from robolayout.render._drawing import Drawing, Point, text_width
-from robolayout.render._labels import Label
+from robolayout.render._labels import Label, upright
 from robolayout.render._style import PLAN, SHEET
 from robolayout.render.contents import Place
 from robolayout.render.palette import INK, QUIET
@@ -141,8 +141,3 @@ def _spots(a: Point, b: Point, words: str) -> Iterator[Label]:
             along, across = slide * (half + length / 2 + 0.5), side * (high + 0.7)
             x, y = (a[0] + b[0]) / 2 + ux * along + uy * across, (a[1] + b[1]) / 2 + uy * along - ux * across
             yield Label((words,), (x, y), size, angle)
-
-
-def upright(angle: float) -> float:
-    """Return an angle in degrees at which text is not upside down; along uprights it is read from the right."""
-    return round((angle + 89.999) % 180.0 - 89.999, 3)

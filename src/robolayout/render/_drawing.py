@@ -18,6 +18,7 @@ from typing import Any, Literal
 from unicodedata import east_asian_width
 
 from PIL import Image, ImageChops, ImageDraw, ImageFont
+from PIL.ImageColor import getrgb
 
 from robolayout._text import html, printable
 from robolayout.render._style import PLAN
@@ -207,7 +208,7 @@ def paint(image: Image.Image, items: Iterable[Shape | Text], scale: float) -> No
             continue
         rings = [[(x * scale, y * scale) for x, y in ring] for ring in item.rings]
         if item.fill:
-            color = (*_rgb(item.fill), round(255 * item.opacity))
+            color = (*getrgb(item.fill), round(255 * item.opacity))
             if len(rings) == 1:
                 pen.polygon(rings[0], fill=color)
             else:
@@ -218,10 +219,10 @@ def paint(image: Image.Image, items: Iterable[Shape | Text], scale: float) -> No
                 points = [*ring, ring[0], ring[1]] if item.closed and len(ring) > 1 else ring
                 for piece in _dashed(points, item.dash, scale):
                     joint = "curve" if width > 2 and len(piece) < 80 else None
-                    pen.line(piece, fill=_rgb(item.stroke), width=width, joint=joint)
+                    pen.line(piece, fill=item.stroke, width=width, joint=joint)
 
 
-def _paint_holes(image: Image.Image, rings: list[list[Point]], color: tuple[int, int, int, int]) -> None:
+def _paint_holes(image: Image.Image, rings: list[list[Point]], color: tuple[int, ...]) -> None:
     """Fill rings by the even-odd rule."""
     mask = Image.new("1", image.size)
     for ring in rings:
@@ -246,7 +247,7 @@ def _paint_text(image: Image.Image, item: Text, scale: float) -> None:
         ImageDraw.Draw(image).text((x, y + lift), text, **style)
         return
     side = 2 * (int(face.getlength(text)) + pixels)
-    layer = Image.new("RGBA", (side, side), (*_rgb(item.halo or item.color), 0))
+    layer = Image.new("RGBA", (side, side), (*getrgb(item.halo or item.color), 0))
     ImageDraw.Draw(layer).text((side / 2, side / 2 + lift), text, **style)
     layer = layer.rotate(item.angle, Image.Resampling.BICUBIC)
     image.paste(layer, (round(x - side / 2), round(y - side / 2)), layer)
@@ -271,10 +272,6 @@ def _dashed(points: list[Point], dash: tuple[float, float] | None, scale: float)
         left -= length - done
         piece.append(b)
     return [*pieces, piece] if drawing else pieces
-
-
-def _rgb(color: str) -> tuple[int, int, int]:
-    return (int(color[1:3], 16), int(color[3:5], 16), int(color[5:7], 16))
 
 
 def _number(value: float) -> str:

@@ -21,13 +21,9 @@ from PIL import Image
 from robolayout._color import linear
 from robolayout.assets.textures import pixels
 from robolayout.render._mesh import Mesh
-from robolayout.render._rays import BOUNCE, SKY, SUN, Lit, lit_by_sky, sun_directions
+from robolayout.render._rays import BOUNCE, SKY, SUN, lit_by_sky, sun_directions
 from robolayout.render._style import LIGHT, VIEW
 from robolayout.render.camera import Camera
-
-
-def _text(values: NDArray[np.float64]) -> str:
-    return ", ".join(f"{v:.6f}" for v in values)
 
 
 @lru_cache(maxsize=8)
@@ -50,15 +46,14 @@ def why_unavailable() -> str | None:
 
 @lru_cache(maxsize=8)
 def _programs(context: Any) -> dict[str, Any]:
-    words = {
+    words: dict[str, object] = {
         "bias": LIGHT.bias,
         "shoulder": LIGHT.shoulder,
         "level": LIGHT.bounce,
         "tilt": LIGHT.bounce_tilt,
-        "sun": _text(SUN),
-        "sky": _text(SKY),
-        "bounce": _text(BOUNCE),
     }
+    for name, light in (("sun", SUN), ("sky", SKY), ("bounce", BOUNCE)):
+        words[name] = ", ".join(f"{channel:.6f}" for channel in light)
     suns = {"count": LIGHT.sun, "columns": LIGHT.sun_columns, "half": 0.5 / LIGHT.sun_tile}
     vertex = _shader("shade.vert")
     return {
@@ -83,12 +78,24 @@ class GLRenderer:
         self._context: Any = _context(os.getpid(), threading.get_ident())
         self._program = _programs(self._context)
         self._coarse = mesh
-        columns = np.ascontiguousarray(mesh.corners.reshape(-1, 3).T) if len(mesh) else np.zeros((3, 1))
-        self._bounds = columns.min(axis=1), columns.max(axis=1)
+        points = mesh.corners.reshape(-1, 3) if len(mesh) else np.zeros((1, 3))
+        self._bounds = points.min(axis=0), points.max(axis=0)
         self._sun_blockers = sun_blockers
         lit = lit_by_sky(mesh, mesh.corners[sky_blockers])
-        self._fine, self._places = lit.mesh, lit.places
-        self._upload(lit)
+        fine, face = lit.mesh, lit.first // 3
+        columns = [  # of the distinct corners of the fine mesh
+            ("3f4", "position", fine.corners.reshape(-1, 3)[lit.first]),
+            ("3f4", "normal", fine.normals.reshape(-1, 3)[lit.first]),
+            ("4f4", "color", fine.colors[face]),
+            ("f4", "gloss", fine.gloss[face]),
+            ("f4", "glow", fine.glow[face]),
+            ("f4", "sky", lit.sky),
+            ("2f4", "uv", fine.uvs.reshape(-1, 2)[lit.first]),
+            ("i4", "layer", fine.layers[face]),
+            ("i4", "id", fine.ids[face]),
+        ]
+        self._content = [(self._buffer(data), kind, name) for kind, name, data in columns]
+        self._fine, self._places = fine, lit.places
         self._tiles = self._texture_array(mesh.textures)
 
     def color(self, camera: Camera, keep: NDArray[np.bool_]) -> NDArray[np.uint8]:
@@ -144,24 +151,6 @@ class GLRenderer:
             thing.release()
         return np.where(far > 0, names, -1).astype(np.int32), np.where(far > 0, far, np.inf).astype(np.float32)
 
-    def _upload(self, lit: Lit) -> None:
-        """Put the distinct corners of the fine mesh, with their sky, into buffers."""
-        fine = lit.mesh
-        face = lit.first // 3
-        points, normals = fine.corners.reshape(-1, 3)[lit.first], fine.normals.reshape(-1, 3)[lit.first]
-        self._columns = [
-            ("3f4", "position", points),
-            ("3f4", "normal", normals),
-            ("4f4", "color", fine.colors[face]),
-            ("f4", "gloss", fine.gloss[face]),
-            ("f4", "glow", fine.glow[face]),
-            ("f4", "sky", lit.sky),
-            ("2f4", "uv", fine.uvs.reshape(-1, 2)[lit.first]),
-            ("i4", "layer", fine.layers[face]),
-            ("i4", "id", fine.ids[face]),
-        ]
-        self._buffers = {name: self._buffer(data) for _, name, data in self._columns}
-
     def _texture_array(self, textures: Sequence[str | bytes]) -> Any:
         """Return all textures, in linear light and of one size, with their smaller copies."""
         pictures = [Image.fromarray(pixels(texture)) for texture in textures] or [Image.new("RGB", (1, 1))]
@@ -183,7 +172,7 @@ class GLRenderer:
         program = self._program[name]
         program["camera"].write(np.ascontiguousarray(camera.matrix(*self._depths(camera)).T).tobytes())
         program["eye"].value = camera.position
-        content = [(self._buffers[name], kind, name) for kind, name, _ in self._columns if name in program]
+        content = [row for row in self._content if row[2] in program]
         order = self._buffer(self._places[which].astype(np.int32))
         array = self._context.vertex_array(program, content, index_buffer=order)
         array.render(self._gl.TRIANGLES)

@@ -11,10 +11,9 @@ import numpy as np
 import shapely
 from numpy.typing import NDArray
 
-from robolayout.render._drawing import text_width
+from robolayout.render._drawing import Point, text_width
 from robolayout.render._style import LABELS
 
-Point = tuple[float, float]
 Box = tuple[float, float, float, float]
 
 
@@ -137,7 +136,9 @@ def _inside(tag: Tag, sizes: Sequence[float]) -> Iterator[Label]:
     middle, extent = corners.mean(axis=0), np.ptp(corners, axis=0)
     shifts = [(0.0, 0.0), (0, 0.28), (0, -0.28), (0.28, 0), (-0.28, 0), (0, 0.38), (0, -0.38), (0.36, 0), (-0.36, 0)]
     shifts += [(dx, dy) for dy in (0.4, -0.4) for dx in (0.3, -0.3)]
-    along = _long_angle(corners)
+    edges = np.roll(corners, -1, axis=0) - corners
+    dx, dy = edges[int(np.argmax(np.round(np.linalg.norm(edges, axis=1), 6)))]
+    along = upright(math.degrees(math.atan2(-dy, dx)))
     for size in sizes:
         for lines in _splits(tag.text):
             turns: list[float] = list(dict.fromkeys([0.0, along, *([90.0] if extent[1] > extent[0] else [])]))
@@ -149,12 +150,9 @@ def _inside(tag: Tag, sizes: Sequence[float]) -> Iterator[Label]:
                 yield Label(lines, at, size, angle, halo=tag.halo, quiet=tag.quiet)
 
 
-def _long_angle(corners: NDArray[np.float64]) -> float:
-    """Return the direction of the longest side in degrees, in (-90, 90], so that text is never upside down."""
-    edges = np.roll(corners, -1, axis=0) - corners
-    dx, dy = edges[int(np.argmax(np.round(np.linalg.norm(edges, axis=1), 6)))]
-    angle = round(math.degrees(math.atan2(-dy, dx)), 3) % 180
-    return angle - 180 if angle > 90 else angle
+def upright(angle: float) -> float:
+    """Return an angle in degrees at which text is not upside down; along uprights it is read from the right."""
+    return round((angle + 89.999) % 180.0 - 89.999, 3)
 
 
 def _first_beside(tag: Tag, taken: Sequence[Box], solids: NDArray[np.object_], sheet: Box, size: float) -> Label | None:

@@ -10,7 +10,7 @@ import shapely
 from numpy.typing import NDArray
 
 from robolayout._color import linear
-from robolayout.assets import Part, parts, room_parts
+from robolayout.assets import Material, Part, parts, room_parts
 from robolayout.assets.textures import coordinates, mean
 from robolayout.render._style import LIGHT
 from robolayout.scene import Layout, Pose, Room, Scene
@@ -89,24 +89,11 @@ def ceiling_mesh(room: Room) -> Mesh:
     return flat_mesh(corners, (0.97, 0.97, 0.96), CEILING)
 
 
-def flat_mesh(corners: NDArray[np.floating], color: Sequence[float], name: str) -> Mesh:
+def flat_mesh(corners: NDArray[np.floating], color: tuple[float, float, float], name: str) -> Mesh:
     """Return flat triangles (n, 3, 3) of one sRGB colour that belong to the room."""
-    n = len(corners)
-    normal = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
-    normal = normal / np.maximum(np.linalg.norm(normal, axis=-1, keepdims=True), 1e-12)
-    return Mesh(
-        corners.astype(np.float32),
-        np.repeat(normal[:, None], 3, axis=1).astype(np.float32),
-        np.tile(np.array([*linear(np.array(color)), 1.0], np.float32), (n, 1)),
-        np.zeros(n, np.float32),
-        np.zeros(n, np.float32),
-        np.zeros((n, 3, 2), np.float32),
-        np.full(n, -1, np.int32),
-        np.full(n, ROOM, np.int32),
-        np.zeros(n, np.int32),
-        (name,),
-        (False,),
-    )
+    faces = np.arange(3 * len(corners), dtype=np.int32).reshape(-1, 3)
+    vertices = np.asarray(corners, np.float64).reshape(-1, 3)
+    return parts_mesh([Part(name, vertices, faces, Material(name, color, roughness=1.0), convex=False)], name, ROOM)
 
 
 def merge(first: Mesh, second: Mesh) -> Mesh:
@@ -170,9 +157,6 @@ def _halves(values: NDArray[np.float32]) -> tuple[NDArray[np.float32], NDArray[n
 
 def _soup(pieces: Sequence[tuple[Part, str, Pose | None, int]]) -> Mesh:
     """Return one mesh of parts placed at poses (None: already in the world frame)."""
-    pieces = [piece for piece in pieces if len(piece[0].faces)]
-    if not pieces:
-        return flat_mesh(np.zeros((0, 3, 3)), (1, 1, 1), "nothing")
     of = np.repeat(np.arange(len(pieces), dtype=np.int32), [len(piece[0].faces) for piece in pieces])
     corners = np.concatenate([np.asarray(part.vertices, np.float64)[part.faces] for part, *_ in pieces])
     poses = np.array([(0, 0, 0, 0) if p is None else (p.x, p.y, p.z, p.yaw) for _, _, p, _ in pieces], dtype=np.float64)

@@ -14,6 +14,8 @@ from dataclasses import dataclass
 from itertools import groupby
 from typing import Any
 
+from PIL.ImageColor import getrgb
+
 from robolayout.render._drawing import Drawing, Shape, Text, font, is_latin, printable, text_width
 from robolayout.render.palette import PAPER
 
@@ -102,10 +104,12 @@ def _embedded(used: _Font, first: int) -> list[bytes]:
     tag = f"ROBOLA+{used.name}"
     order = sorted(used.glyphs, key=lambda c: used.glyphs[c])
     widths = " ".join(f"{used.glyphs[c]} [{used.widths[c]}]" for c in order)
-    pairs = "\n".join(f"<{used.glyphs[c]:04x}> <{c.encode('utf-16-be').hex()}>" for c in order)
+    pairs = [f"<{used.glyphs[c]:04x}> <{c.encode('utf-16-be').hex()}>\n" for c in order]
+    groups = [pairs[k : k + 100] for k in range(0, len(pairs), 100)]  # as many as the format wants at once
+    codes = "\n".join(f"{len(group)} beginbfchar\n{''.join(group)}endbfchar" for group in groups)
     unicode = (
         "/CIDInit /ProcSet findresource begin 12 dict begin begincmap /CMapName /Used def /CMapType 2 def\n"
-        f"1 begincodespacerange <0000> <ffff> endcodespacerange\n{_chunks(pairs)}\nendcmap end end"
+        f"1 begincodespacerange <0000> <ffff> endcodespacerange\n{codes}\nendcmap end end"
     )
     return [
         f"<< /Type /Font /Subtype /Type0 /BaseFont /{tag} /Encoding /Identity-H /DescendantFonts [{first + 1} 0 R] "
@@ -117,13 +121,6 @@ def _embedded(used: _Font, first: int) -> list[bytes]:
         _stream(used.data, f"/Length1 {len(used.data)} "),
         _stream(unicode.encode()),
     ]
-
-
-def _chunks(pairs: str) -> str:
-    """Return lines of a character map in groups of 100, as the format wants them."""
-    rows = pairs.split("\n")
-    groups = [rows[k : k + 100] for k in range(0, len(rows), 100)]
-    return "\n".join(f"{len(group)} beginbfchar\n" + "\n".join(group) + "\nendbfchar" for group in groups)
 
 
 def _reader_font(collection: str, name: str, encoding: str, first: int) -> list[bytes]:
@@ -207,4 +204,4 @@ def _runs(words: str, fonts: dict[str, _Font]) -> Iterator[tuple[str, str]]:
 
 def _color(color: str) -> str:
     """Return red, green and blue from 0 to 1."""
-    return " ".join(f"{int(color[k : k + 2], 16) / 255:.3f}" for k in (1, 3, 5))
+    return " ".join(f"{channel / 255:.3f}" for channel in getrgb(color))

@@ -181,12 +181,12 @@ def walk_gif(
     body, driven = agent or scene.agent, all(len(way[0]) > 2 for way in ways.values())
     legs = tour(ways, () if driven else marks.free)
     steps = _steps(legs, frames)
-    places = np.array([step.place for step in steps])
+    places = np.array([place for place, *_ in steps])
     yaws = places[:, 2] if driven else _ahead(places)
     film = _Film(scene, layout, marks, body, size)
     poses = [Pose(x, y, 0.0, yaw) for (x, y), yaw in zip(places[:, :2].tolist(), yaws.tolist(), strict=True)]
-    shown = [film.frame(legs[step.leg], pose) for step, pose in zip(steps, poses, strict=True)]
-    waits = [FILM.pause * (FILM.stop if step.stop else 1) for step in steps]
+    shown = [film.frame(legs[number], pose) for (_, number, _), pose in zip(steps, poses, strict=True)]
+    waits = [FILM.pause * (FILM.stop if stops else 1) for *_, stops in steps]
     return save_gif(shown, [*waits[:-1], FILM.hold // 2])
 
 
@@ -267,25 +267,19 @@ def _between(one: Line, other: Line, space: shapely.Geometry) -> Line:
     return np.concatenate([one[::-1], other])
 
 
-@dataclass(frozen=True, eq=False)
-class _Step:
-    """Where the body is in one frame, on which leg, and whether it has come to that leg's end."""
+def _steps(legs: Sequence[Leg], frames: int) -> list[tuple[Line, int, bool]]:
+    """Return the body's place (x, y, heading) in each frame, the number of its leg, and whether it has come to that leg's end.
 
-    place: Line  # (3,) x and y in metres and heading in radians
-    leg: int
-    stop: bool
-
-
-def _steps(legs: Sequence[Leg], frames: int) -> list[_Step]:
-    """Return the body's places, one per frame, so that it moves at one speed and is seen at every stop."""
+    It moves at one speed and is seen at every stop.
+    """
     total = sum(leg.length for leg in legs)
     pace = max(FILM.slow, total / max(frames - len(legs) - 1, 1))
-    steps = [_Step(legs[0].line[0], 0, stop=False)]
+    steps = [(legs[0].line[0], 0, False)]
     for number, leg in enumerate(legs):
         count, far = max(1, round(leg.length / pace)), _spent(leg.line)
         for k in range(1, count + 1):
             place = np.array([np.interp(leg.length * k / count, far, column) for column in leg.line.T])
-            steps.append(_Step(place, number, stop=k == count))
+            steps.append((place, number, k == count))
     return [steps[k] for k in spread(len(steps), max(frames, 2))]
 
 

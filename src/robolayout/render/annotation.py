@@ -19,6 +19,7 @@ from PIL import Image
 
 from robolayout._errors import UnknownNameError
 from robolayout.render._drawing import Drawing, Point, Text, circle, paint, rectangle, text_width
+from robolayout.render._labels import Box
 from robolayout.render._style import MARKS, VIEW
 from robolayout.render.camera import Camera, spherical_camera
 from robolayout.render.view import Renderer, Studio, picture_size
@@ -29,9 +30,6 @@ FRONT_COLOR = "#d55e00"
 WALL_COLOR = "#a3006b"
 DOOR_COLOR = "#006b4f"
 WHITE = "#ffffff"
-
-
-Box = tuple[float, float, float, float]
 
 
 @dataclass(frozen=True)

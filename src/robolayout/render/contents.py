@@ -59,7 +59,10 @@ def draw_walls(sheet: Drawing, room: Room, place: Place) -> None:
     """Draw walls in solid section, doors with leaf and swing, windows with their panes."""
     inner = shapely.Polygon(room.vertices)
     solid = inner.buffer(PLAN.wall, join_style="mitre").difference(inner)
-    gaps = [_gap(room, opening) for opening in (*room.doors, *room.windows)]
+    gaps: list[shapely.Polygon] = []
+    for opening in (*room.doors, *room.windows):
+        hole = rectangle(opening.offset, 0.01, opening.offset + opening.width, -2 * PLAN.wall)
+        gaps.append(shapely.Polygon([room.walls[opening.wall].point(*corner) for corner in hole]))
     solid = solid.difference(shapely.union_all(gaps)) if gaps else solid
     for piece in shapely.get_parts(solid):
         if piece.geom_type == "Polygon" and piece.area > 1e-6:
@@ -71,20 +74,12 @@ def draw_walls(sheet: Drawing, room: Room, place: Place) -> None:
         _draw_door(sheet, room, door, place)
 
 
-def _gap(room: Room, opening: Opening) -> shapely.Polygon:
-    """Return the hole that an opening leaves in its wall."""
-    wall = room.walls[opening.wall]
-    start, end, outer = opening.offset, opening.offset + opening.width, -2 * PLAN.wall
-    corners = ((start, 0.01), (end, 0.01), (end, outer), (start, outer))
-    return shapely.Polygon([wall.point(along, depth) for along, depth in corners])
-
-
 def _draw_window(sheet: Drawing, room: Room, window: Opening, place: Place) -> None:
     """Draw the sill's two edges and the pane between them."""
     wall = room.walls[window.wall]
     start, end = window.offset, window.offset + window.width
-    frame = [wall.point(s, d) for s, d in ((start, 0), (end, 0), (end, -PLAN.wall), (start, -PLAN.wall))]
-    sheet.polygon([[place(*p) for p in frame]], PAPER, stroke=WALL, width=0.18)
+    frame = [place(*wall.point(*corner)) for corner in rectangle(start, 0, end, -PLAN.wall)]
+    sheet.polygon([frame], PAPER, stroke=WALL, width=0.18)
     for depth in (0.42, 0.58):
         pane = (wall.point(start, -depth * PLAN.wall), wall.point(end, -depth * PLAN.wall))
         sheet.line([place(*p) for p in pane], WALL, width=0.13)
@@ -99,8 +94,8 @@ def _draw_door(sheet: Drawing, room: Room, door: Opening, place: Place) -> None:
         sheet.line(edge, QUIET, width=0.1, dash=(0.6, 0.5))
     for hinge, sign, radius in _leaves(room, door):
         sheet.line([place(*p) for p in _swing(wall, hinge, sign, radius)], QUIET, width=0.13)
-        leaf = [(hinge, 0), (hinge + sign * 0.04, 0), (hinge + sign * 0.04, radius), (hinge, radius)]
-        sheet.polygon([[place(*wall.point(s, d)) for s, d in leaf]], PAPER, stroke=WALL, width=0.16)
+        leaf = [place(*wall.point(*corner)) for corner in rectangle(hinge, 0, hinge + sign * 0.04, radius)]
+        sheet.polygon([leaf], PAPER, stroke=WALL, width=0.16)
 
 
 def swings(room: Room) -> tuple[tuple[Point, ...], ...]:

@@ -6,6 +6,7 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import groupby
+from operator import attrgetter
 
 import numpy as np
 from numpy.typing import NDArray
@@ -43,9 +44,10 @@ def draw_losses(trace: Trace) -> Drawing:
     if terms and is_still(trace):
         sheet.words((sheet.width / 2, sheet.height / 2), NO_SEARCH, 4.0, color=INK)
         return sheet
+    stages = [(next(run).step, stage) for stage, run in groupby(trace.snapshots, key=attrgetter("stage"))]
     frames = (Frame(16, 12, 116, 74), Frame(136, 12, 236, 74))
     for frame, logarithmic in zip(frames, (False, True), strict=True):
-        draw_panel(sheet, frame, terms, logarithmic=logarithmic, stages=_stages(trace), caption="step")
+        draw_panel(sheet, frame, terms, logarithmic=logarithmic, stages=stages, caption="step")
         title = "loss, log10 of the absolute value" if logarithmic else "loss"
         sheet.words((frame.left, 6.0), title, 3.6, anchor="start", color=INK)
         if not terms:
@@ -125,10 +127,7 @@ def nice_ticks(low: float, high: float, count: int = 5) -> list[float]:
 def _scaled(values: NDArray[np.float64], logarithmic: bool) -> NDArray[np.float64]:
     """Return the values, or log10 of their absolute values; what is not finite becomes NaN."""
     values = np.where(np.isfinite(values), values, np.nan)
-    if not logarithmic:
-        return values
-    size = np.abs(values)
-    return np.log10(np.where(size >= SMALLEST, size, np.nan))
+    return np.log10(np.where(np.abs(values) >= SMALLEST, np.abs(values), np.nan)) if logarithmic else values
 
 
 def _lines(values: NDArray[np.float64]) -> list[list[tuple[float, float]]]:
@@ -145,12 +144,6 @@ def _lines(values: NDArray[np.float64]) -> list[list[tuple[float, float]]]:
         else:
             stretches[-1].append((number * stride + at, value))
     return [line if len(line) > 1 else [line[0], (line[0][0] + 0.5, line[0][1])] for line in stretches if line]
-
-
-def _stages(trace: Trace) -> list[tuple[int, str]]:
-    """Return (first step, stage) of each stage of the run."""
-    runs = groupby(trace.snapshots, key=lambda snapshot: snapshot.stage)
-    return [(next(run).step, stage) for stage, run in runs]
 
 
 def _draw_stages(sheet: Drawing, frame: Frame, stages: Sequence[tuple[int, str]], steps: int) -> None:

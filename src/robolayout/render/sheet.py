@@ -13,9 +13,9 @@ from dataclasses import dataclass, field, replace
 from functools import lru_cache
 from itertools import groupby
 
-from robolayout.render._dimensions import Outline, draw_chains, margin, upright
+from robolayout.render._dimensions import Outline, draw_chains, margin
 from robolayout.render._drawing import Drawing, Point, rectangle, text_width
-from robolayout.render._labels import Label
+from robolayout.render._labels import Label, upright
 from robolayout.render._marked import Naming
 from robolayout.render._style import PLAN, SHEET
 from robolayout.render.contents import Place, PlanMarks, Shown, placing, swings
