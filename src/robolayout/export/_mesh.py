@@ -63,12 +63,8 @@ def surface(part: Part) -> Surface:
 
 def _unique_rows(rows: FloatArray) -> tuple[FloatArray, IntArray]:
     """Return the distinct rows, sorted, and the place of every row among them."""
-    order = np.lexsort(rows.T[::-1])
-    first = np.ones(len(rows), np.bool_)
-    first[1:] = (rows[order[1:]] != rows[order[:-1]]).any(axis=1)
-    places = np.empty(len(rows), np.int64)
-    places[order] = np.cumsum(first) - 1
-    return rows[order[first]], places
+    distinct, _, places = np.unique(rows, axis=0, return_index=True, return_inverse=True)  # of equal rows the first
+    return distinct, places.reshape(-1)
 
 
 def _corner_normals(positions: FloatArray, faces: IntArray, units: FloatArray) -> FloatArray:

@@ -9,8 +9,10 @@ from __future__ import annotations
 import io
 import tempfile
 import zipfile
+from importlib import import_module
 from importlib.util import find_spec
 from pathlib import Path
+from typing import Any
 
 from robolayout._errors import LayoutError, MissingExtraError
 from robolayout.export._exporter import Bundle, Exporter, Options, Rows, reader
@@ -20,28 +22,23 @@ EXTRA = "usd"
 ALIGNMENT = 64  # bytes to which the files in a USDZ package are aligned, as its specification demands
 
 
-def _require() -> None:
-    """Raise MissingExtraError unless USD's own library is installed."""
+def _stages() -> Any:
+    """Return the module that builds stages; MissingExtraError unless USD's own library is installed."""
     if find_spec("pxr") is None:
         raise MissingExtraError("reading and writing USD", EXTRA)
+    return import_module("robolayout.export._usd_stage")
 
 
 def make_text(scene: Scene, layout: Layout, options: Options) -> Bundle:
     """Return the layer of the room as USD text, and those of each kind of thing and their textures, by path."""
-    _require()
-    from robolayout.export._usd_stage import room_stage
-
-    stage, files = room_stage(scene, layout, options)  # its layers live as long as it
+    stage, files = _stages().room_stage(scene, layout, options)  # its layers live as long as it
     return stage.GetRootLayer().ExportToString().encode(), files
 
 
 def write_package(scene: Scene, layout: Layout, options: Options) -> bytes:
     """Return the scene as a USDZ package: the room's layer, then what it refers to; uncompressed, aligned, with a fixed date."""
-    _require()
-    from robolayout.export._usd_stage import binary, room_stage
-
-    stage, layers = room_stage(scene, layout, options)
-    files = {"scene.usdc": binary(stage), **layers}
+    stage, layers = _stages().room_stage(scene, layout, options)
+    files = {"scene.usdc": _stages().binary(stage), **layers}
     package = io.BytesIO()
     with zipfile.ZipFile(package, "w", zipfile.ZIP_STORED) as archive:
         for name, data in files.items():
@@ -56,15 +53,13 @@ def write_package(scene: Scene, layout: Layout, options: Options) -> bytes:
 @reader("USD file")
 def read(data: bytes) -> Rows:
     """Yield the names, poses and sizes in USD text or a USDZ package that this package wrote."""
-    _require()
-    from robolayout.export._usd_stage import assets_of
-
+    stages = _stages()
     suffix = "usdz" if data[:2] == b"PK" else "usda"
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / f"scene.{suffix}"
         path.write_bytes(data)
         try:
-            yield from assets_of(path)
+            yield from stages.assets_of(path)
         except RuntimeError as error:
             raise LayoutError(f"this {suffix} file cannot be opened: {error}.") from error
 

@@ -300,7 +300,7 @@ def near_walls(room: Room, camera: Camera) -> set[int]:
     """Return the indices of the walls that hide more than `VIEW.hides` of the floor from the camera."""
     floor = _floor_points(room)
     eye = np.asarray(camera.position)
-    return {wall.index for wall in room.walls if _shaded(wall, room.wall_height, eye, floor) > VIEW.hides}
+    return {wall.index for wall in room.walls if _covered_share(wall, room.wall_height, eye, floor) > VIEW.hides}
 
 
 def hidden_parts(scene: Scene, layout: Layout, camera: Camera) -> set[str]:
@@ -363,7 +363,7 @@ def _floor_points(room: Room) -> NDArray[np.float64]:
     return np.column_stack([xs[inside], ys[inside], np.full(int(inside.sum()), 0.02)])
 
 
-def _shaded(wall: Wall, height: float, eye: NDArray[np.float64], floor: NDArray[np.float64]) -> float:
+def _covered_share(wall: Wall, height: float, eye: NDArray[np.float64], floor: NDArray[np.float64]) -> float:
     """Return the share of floor points (n, 3) whose line to the eye crosses the wall's rectangle."""
     normal = np.array([*wall.normal, 0.0])
     corner = np.array([*wall.start, 0.0])
