@@ -290,6 +290,27 @@ def test_things_stand_on_tops_that_are_meant_for_them(text: str, name: str, bear
     assert set(re.findall(rf"on_top_of\({name}\[\d\], (\w+)\[", plan)) <= bearers
 
 
+@pytest.mark.parametrize(
+    ("text", "held"),
+    [
+        ("a bedroom with two beds on opposite sides of the room", True),
+        ("a bedroom with a bed near the window", True),
+        ("a bedroom with a bed in the middle of the room", False),
+    ],
+)
+def test_words_that_leave_its_wall_to_a_thing_do_not_take_it_away(text: str, held: bool) -> None:
+    scene, _ = scene_from_sentence(text)
+    plan = OfflinePlanner().plan(PlanRequest(scene, asked=read_words(scene).demands))
+    assert ("solver.against_wall(bed[0])" in plan) is held
+
+
+def test_a_door_leaves_room_to_what_is_asked_into_the_corner_by_it() -> None:
+    scene, _ = scene_from_sentence("a bedroom with a wardrobe in the corner by the door")
+    door = scene.room.doors[0]
+    spare = scene.room.walls[door.wall].length - door.offset - door.width
+    assert min(door.offset, spare) >= scene.by_name["wardrobe-0"].size[0]
+
+
 def test_what_is_asked_to_stand_in_a_corner_is_placed_before_what_is_not() -> None:
     scene, _ = scene_from_sentence("a living room with a bookshelf, a cabinet and a large plant in each corner")
     plan = OfflinePlanner().plan(PlanRequest(scene, asked=read_words(scene).demands))

@@ -101,15 +101,27 @@ def join_as_asked(cast: Mapping[str, Cast], demands: Sequence[Demand], passage: 
     return found
 
 
+PLACELESS = ("point_towards", "under", "above")
+"""Relations that say nothing of where their thing stands on the floor: looking at something moves nothing."""
+
+
 def subjects(demands: Iterable[Demand]) -> set[str]:
-    """Return what is asked to be somewhere; looking at something moves nothing."""
+    """Return what is asked to be somewhere."""
     return {
         name
         for demand in demands
         for relation in demand.ways[0]
-        if relation.name not in ("point_towards", "under", "above")
+        if relation.name not in PLACELESS
         for name in relation.asset_names()[: None if relation.name == "in_rows" else 1]
     }
+
+
+def held_by_walls(demands: Sequence[Demand]) -> set[str]:
+    """Return what is asked into corners, parts of the room or near doors and windows alone, which leaves its wall to it."""
+    placed = ("corner", "zone", "near")
+    said = [relation for demand in demands for relation in demand.ways[0] if relation.name not in PLACELESS]
+    free = {one.asset_names()[0] for one in said if one.name not in placed or len(one.asset_names()) > 1}
+    return {one.asset_names()[0] for one in said} - free
 
 
 def cornered(demands: Iterable[Demand]) -> set[str]:

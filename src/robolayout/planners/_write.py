@@ -47,6 +47,7 @@ class Writer:
     cast: Mapping[str, Cast]  # its assets in their roles
     asked: Set[str]  # things of which the user's words say where they stand: roles only wish then
     cornered: Set[str]  # those of them with a corner of their own: placed before it is taken
+    walled: Set[str]  # those of them whose wall the words leave to them
 
     def order(self) -> list[str]:
         """Return all assets, what is placed first first: low ranks, big things, and what joins a thing right after it."""
@@ -132,7 +133,8 @@ class Writer:
         elif modes == ["corner"]:
             yield from self._fill(say["corner"], values, bound)
         elif set(modes) <= {"wall", "corner"}:
-            held = name in self._held and bound is None
+            free = bound is not None and (item.anchor or name not in self.walled)
+            held = name in self._held and not free
             yield from self._fill(say["wall"], values, None if held else SAYING.only)
         else:
             yield from self._fill(say["middle"], values, bound)

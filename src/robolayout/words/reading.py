@@ -16,7 +16,7 @@ from robolayout.words._kinds import settle_kinds
 from robolayout.words._lexicon import Lexicon, grammar
 from robolayout.words._parse import Parser
 from robolayout.words._places import COMPASS
-from robolayout.words._said import ONE_EACH, Parsed, Place
+from robolayout.words._said import ONE_EACH, Parsed, Place, place_in
 from robolayout.words._tokens import Measure, Size, Token, count_of, measures, tokens
 
 LONGEST = 4000
@@ -99,8 +99,10 @@ class Reading:
 
     @property
     def flanked_door(self) -> bool:
-        """Whether things are to stand on both sides of the door, or in every corner, so that it stands off its own."""
-        return any(
+        """Whether things are to stand on both sides of the door, in every corner or in the one by it, so that it stands off its own."""
+        by_door = {m.thing for link in self.parsed.links if place_in(link.objects, "door") for m in link.subjects}
+        cornered = {m.thing for link in self.parsed.links if place_in(link.objects, "corner") for m in link.subjects}
+        return bool(by_door & cornered) or any(
             (item.name == "corner" and (item.det == "each" or item.plural))
             or (link.relation, item.name) == ("flank", "door")
             for link in self.parsed.links
