@@ -16,7 +16,7 @@ from fuzz_mutations import as_glb, as_json, as_toml, glb_parts
 from PIL import Image
 
 from hostile_names import hostile_scene
-from robolayout._errors import AssetError, RoboLayoutError
+from robolayout._errors import AssetError
 from robolayout.export import EXPORTERS, to_bytes
 from robolayout.scene import Layout, Pose, load_agent, load_layout, load_scene, scene_from_dict, scene_to_dict
 from running import ROOT
@@ -261,8 +261,7 @@ def _ask_server(path: Path) -> object:
     import httpx2
 
     from robolayout.planners.model import provider
-    from robolayout.planners.model.client import Client
-    from robolayout.planners.model.exchange import Question, Tape
+    from robolayout.planners.model.exchange import Question
     from robolayout.planners.model.options import ModelOptions
 
     body, made = path.read_bytes(), provider.create_async_httpx2_client
@@ -272,15 +271,11 @@ def _ask_server(path: Path) -> object:
 
     provider.create_async_httpx2_client = lambda *_, **__: httpx2.AsyncClient(transport=httpx2.MockTransport(answered))  # type: ignore[assignment]
     try:
-        question = Question("plan", "all", 1, 1, "say", ("what",), (), "key")
-        client = Client(
-            (provider.spec_of("openai:m", "http://127.0.0.1:9/v1"),), Tape(record=path.parent / "tape"), ModelOptions()
-        )
-        (answer,) = client.ask([question], str)
+        question = Question("plan", "all", 1, 1, "say", ("what",), "key")
+        client = ModelOptions(base_url="http://127.0.0.1:9/v1", exchanges=path.parent / "tape").open("openai:m")
+        (answer,), _ = client.ask(question, str)
     finally:
         provider.create_async_httpx2_client = made
-    if isinstance(answer, RoboLayoutError):
-        raise answer
     return answer.encode()
 
 

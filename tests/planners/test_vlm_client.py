@@ -287,6 +287,13 @@ def test_a_blind_model_plans_from_the_text_alone() -> None:
     assert asked.warnings == ("openai:gpt-4o does not take pictures; it plans from the text alone (mode no_image).",)
 
 
+def test_a_fallback_may_be_named_for_a_model_that_sees(monkeypatch: pytest.MonkeyPatch) -> None:
+    with serving(good) as server:
+        monkeypatch.setenv("OPENAI_BASE_URL", server.url)
+        assert planner(server.url, fallback=("openai:gpt-4o-mini",)).plan(REQUEST)
+    assert len(server.seen[0].images) == 3
+
+
 def test_a_refusal_that_is_not_about_pictures_is_an_error() -> None:
     with (
         serving(

@@ -35,6 +35,6 @@ def test_an_answer_that_is_no_completion_is_one_sentence(
     monkeypatch.setattr(provider, "create_async_httpx2_client", lambda **_: httpx2.AsyncClient(transport=transport))
     question = Question("plan", "all", 1, 1, "say", ("what",), "key")
     client = ModelOptions(base_url="http://127.0.0.1:9/v1").open("openai:m")
-    (answer,) = client.ask([question], str)
-    assert isinstance(answer, ModelError)
-    assert said in str(answer) and "\n" not in str(answer)
+    with pytest.raises(ModelError) as caught:
+        client.ask(question, str)
+    assert said in str(caught.value) and "\n" not in str(caught.value)

@@ -9,12 +9,13 @@ from __future__ import annotations
 
 import asyncio
 import warnings
-from collections.abc import Callable, Coroutine, Mapping, Sequence
-from concurrent.futures import ThreadPoolExecutor
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from decimal import Decimal
-from typing import TYPE_CHECKING, Any, TypeVar
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, TypeVar, cast
 
+from anyio.from_thread import start_blocking_portal
 from pydantic import BaseModel
 from pydantic_ai import (
     Agent,
@@ -41,7 +42,7 @@ from pydantic_ai.exceptions import (
 from pydantic_ai.models import Model, ModelRequestParameters
 from pydantic_ai.models.concurrency import ConcurrencyLimitedModel
 from pydantic_ai.models.fallback import FallbackModel
-from pydantic_ai.models.function import FunctionModel
+from pydantic_ai.models.test import TestModel
 from pydantic_ai.models.wrapper import WrapperModel
 from pydantic_ai.settings import ModelSettings
 from pydantic_ai.usage import RequestUsage
@@ -50,7 +51,7 @@ from robolayout._errors import AnswerError, BudgetError, InputError, ModelError,
 from robolayout.planners.model.errors import refuses_images, sentence
 from robolayout.planners.model.exchange import Question, Tape
 from robolayout.planners.model.prompt import PROMPT_VERSION
-from robolayout.planners.model.provider import Spec, open_model, price_of
+from robolayout.planners.model.provider import Spec, open_model, price_of, spec_of
 
 if TYPE_CHECKING:
     from robolayout.planners.model.options import ModelOptions
@@ -74,22 +75,15 @@ TOKENS_PER_PICTURE = 1_100
 
 FIRST_ANSWER = 1_200  # tokens that an answer is expected to have before one has come: a program for a dozen things
 
-Price = Callable[[int, int], Decimal | None]
-"""Dollars for so many tokens sent and received; None where no price is known."""
-
 
 @dataclass(frozen=True)
 class Usage:
     """What a planner has used so far."""
 
-    requests: int = 0  # answers received
-    input_tokens: int = 0  # tokens sent, pictures included
-    output_tokens: int = 0  # tokens received
-    cost: float | None = None  # US dollars; None where no price is known
-
-    def to_dict(self) -> dict[str, int | float | None]:
-        """Return the usage as it is written to the report."""
-        return dict(vars(self))
+    requests: int  # answers received
+    input_tokens: int  # tokens sent, pictures included
+    output_tokens: int  # tokens received
+    cost: float | None  # US dollars; None where no price is known
 
 
 def tokens_of(question: Question) -> int:
@@ -106,7 +100,7 @@ class Budget:
     """
 
     most: Decimal | None  # US dollars; None is without limit
-    price: Price  # what tokens cost
+    price: Callable[[int, int], Decimal | None]  # dollars for so many tokens sent and received, where a price is known
     spent: Decimal = Decimal(0)  # US dollars so far
     reserved: Decimal = Decimal(0)  # US dollars set aside
     _received: list[int] = field(default_factory=list[int])
@@ -128,14 +122,12 @@ class Budget:
         self.reserved += cost
         return cost
 
-    def settle(self, reserved: Decimal, cost: Decimal | None, received: int) -> None:
-        """Give back what was set aside for a question and count what its answer cost; nothing if it never came."""
+    def settle(self, reserved: Decimal, used: RequestUsage) -> None:
+        """Give back what was set aside for a question and count what its answer took; nothing if it never came."""
         self.reserved -= reserved
-        if received:
-            self._received.append(received)
-        if cost is not None:
-            self.spent += cost
-            self._dearest = max(self._dearest, cost)
+        self._received += [used.output_tokens] * (used.output_tokens > 0)
+        self.spent += used.cost or 0
+        self._dearest = max(self._dearest, used.cost or Decimal(0))
 
 
 class _Taped(WrapperModel):
@@ -143,8 +135,7 @@ class _Taped(WrapperModel):
 
     def __init__(self, wrapped: Model, client: Client, question: Question) -> None:
         super().__init__(wrapped)
-        self._client, self._tape, self._question, self._spent = client, client.tape, question, client.spent
-        self._turn, self._feedback = 0, ""
+        self._client, self._question, self._turn, self._feedback = client, question, 0, ""
         self._answer: dict[str, Any] | None = None
 
     async def request(
@@ -154,66 +145,82 @@ class _Taped(WrapperModel):
         model_request_parameters: ModelRequestParameters,
     ) -> ModelResponse:
         """Return the answer to the next turn of the question."""
-        self._turn, self._feedback, self._answer = self._turn + 1, _feedback(messages), None
-        if self._tape.replay:
+        contents = [getattr(part, "content", None) for part in (messages[-1].parts if len(messages) > 1 else ())]
+        self._feedback = "\n".join(content for content in contents if isinstance(content, str))
+        self._turn, self._answer = self._turn + 1, None
+        client, used = self._client, RequestUsage()
+        if client.tape.replay:
             return self._recalled()
-        budget, cost, received = self._client.budget, None, 0
-        reserved = budget.reserve(self._question, self._client.spec.name)
+        reserved = client.budget.reserve(self._question, client.spec.name)
         try:
             response = await self.wrapped.request(messages, model_settings, model_request_parameters)
             length = sum(len(part.content) for part in response.parts if isinstance(part, TextPart))
             if not (response.usage.input_tokens or response.usage.output_tokens):
-                name, sent = self._client.spec.name, tokens_of(self._question)
-                self._client.note(f"{name} tells no token counts; they are estimated from characters.")
+                client.note(f"{client.spec.name} tells no token counts; they are estimated from characters.")
+                sent = tokens_of(self._question)
                 response.usage = RequestUsage(input_tokens=sent, output_tokens=length // CHARACTERS_PER_TOKEN)
-            self._answer = to_answer(response, self._tape.scrub)
-            if response.finish_reason == "length":
-                self._client.cut |= {part["content"] for part in self._answer["parts"]}
-            told = self._answer["usage"]["cost"]
-            cost, received = None if told is None else Decimal(told), response.usage.output_tokens
+            self._answer = to_answer(response, client.tape.scrub)
+            answered = from_answer(self._answer)
+            used = answered.usage
         except ASTRAY as error:
-            told = self._tape.scrub(" ".join(f"{type(error).__name__} {error}".split()))[:100]
+            told = client.tape.scrub(" ".join(f"{type(error).__name__} {error}".split()))[:100]
             raise UnexpectedModelBehavior(f"an answer of another form than asked for ({told})") from error
         finally:
-            budget.settle(reserved, cost, received)
+            client.budget.settle(reserved, used)
+        if response.finish_reason == "length":
+            client.cut |= {part["content"] for part in self._answer["parts"]}
         if length > MOST_CHARACTERS:
             raise UnexpectedModelBehavior(f"an answer of {length} characters, at most {MOST_CHARACTERS} are read")
-        self._tape.write(self._question, self._turn, self._answer, self._feedback)
-        return from_answer(self._answer)
+        client.tape.write(self._question, self._turn, self._answer, self._feedback)
+        return answered
 
     def _recalled(self) -> ModelResponse:
         """Return the recorded answer, or fail as it did then."""
-        entry = self._tape.recall(self._question, self._turn)
-        if not entry.get("failure"):
-            return from_answer(entry["answer"])
-        if entry["answer"]:
-            self._spent.incr(RunUsage(requests=1))
-            self._spent.incr(from_answer(entry["answer"]).usage)
+        entry = self._client.tape.recall(self._question, self._turn)
+        answered = from_answer(entry["answer"]) if entry["answer"] else None
+        if answered and not entry.get("failure"):
+            return answered
+        if answered:
+            self._client.spent.incr(RunUsage(requests=1))
+            self._client.spent.incr(answered.usage)
         raise FAILURES.get(entry.get("failed_as", ""), ModelError)(entry["failure"])
 
     def fail(self, failure: ModelError) -> None:
         """Record that the question failed, so that a replay fails alike."""
-        if not self._tape.replay:
-            self._tape.write(self._question, max(self._turn, 1), self._answer, self._feedback, failure)
+        if not self._client.tape.replay:
+            self._client.tape.write(self._question, max(self._turn, 1), self._answer, self._feedback, failure)
 
 
 class Client:
     """Asks questions of the first of some models, concurrently, and keeps count; the others stand in for it."""
 
-    def __init__(self, specs: tuple[Spec, ...], tape: Tape, options: ModelOptions) -> None:
-        self.specs, self.spec, self.tape, self.options = specs, specs[0], tape, options
+    def __init__(self, model: str | Model | None, options: ModelOptions) -> None:
+        record, replay = (Path(folder) if folder else None for folder in (options.exchanges, options.replay))
+        self.options, self.tape = options, Tape(record, replay)
+        if replay:
+            self.specs = [Spec(self.tape.model)]
+        else:
+            self.specs = [spec_of(cast("str | Model", model), options.base_url)]
+            self.specs += [spec_of(name, None) for name in options.fallback]
+        self.spec = self.specs[0]
+        self.tape.model = self.spec.name
         most = options.max_cost
         self.budget = Budget(None if most is None else Decimal(str(most)), self._price)
         self.sees = True
         self.notes: list[str] = []
         self.cut = set[str]()
         self.spent = RunUsage()
-        self._models: tuple[Model, ...] = ()
+        self._models: list[Model] = []
 
     def note(self, sentence: str) -> None:
         """Say once what did not go as asked."""
         if sentence not in self.notes:
             self.notes.append(sentence)
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """What did not go as asked, and what was odd in a replay, one sentence each."""
+        return tuple(dict.fromkeys([*self.notes, *self.tape.notes]))
 
     def _price(self, sent: int, received: int) -> Decimal | None:
         """Return the price at the dearest of the models that may answer; None where none has one."""
@@ -237,47 +244,59 @@ class Client:
         )
 
     def ask(
-        self, questions: Sequence[Question], answer: type[T], check: Check | None = None
-    ) -> list[T | InputError | ModelError]:
-        """Return one answer of a type, or one error, per question, in order.
+        self, question: Question, answer: type[T], check: Check | None = None, n: int = 1
+    ) -> tuple[tuple[T, ...], tuple[InputError | ModelError, ...]]:
+        """Return the answers of a type that came to a question that is asked n times at once, and the errors of the others.
 
         Under a budget one is asked first: its cost tells how many more fit. What is wrong with an answer, as `check` tells it in
-        words, goes back to the model, at most twice.
+        words, goes back to the model, at most twice. Where no answer came, the first error is raised.
         """
-        ahead = 1 if self.budget.most is not None else len(questions)
-        parts = [part for part in (questions[:ahead], questions[ahead:]) if part]
-        return [found for part in parts for found in _run(self._ask_all(part, answer, check))]
+        questions = [replace(question, sample=i + 1, seed=question.seed + i) for i in range(n)]
+        ahead = 1 if self.budget.most is not None else n
+        with start_blocking_portal() as portal:  # an event loop of its own: one may be running here (a notebook)
+            found = portal.call(self._ask_all, questions[:ahead], answer, check)
+            if n > ahead:
+                found += portal.call(self._ask_all, questions[ahead:], answer, check)
+        failures = tuple(one for one in found if isinstance(one, InputError | ModelError))
+        answers = tuple(one for one in found if not isinstance(one, InputError | ModelError))
+        if not answers:
+            raise failures[0]
+        return answers, failures
 
     async def _ask_all(
         self, questions: Sequence[Question], answer: type[T], check: Check | None
     ) -> list[T | InputError | ModelError]:
-        model = self._opened()
-        async with model:
-            asked = [self._settled(model, question, answer, check) for question in questions]
-            return list(await asyncio.gather(*asked))
+        async with self._opened() as model:
+            return await asyncio.gather(*(self._settled(model, question, answer, check) for question in questions))
 
     def _opened(self) -> Model:
         """Return the model to ask: with those that stand in for it, and no more questions at once than allowed."""
         if self.tape.replay:
-            return FunctionModel(_never)
-        self._models = tuple(open_model(spec, priced=self.budget.most is not None) for spec in self.specs)
-        model = self._models[0]
-        if len(self._models) > 1:
-            model = FallbackModel(*self._models, fallback_on=self._falls)
+            self._models = [TestModel()]  # it is never asked
+        else:
+            self._models = [open_model(spec, priced=self.budget.most is not None) for spec in self.specs]
+        model = self._models[0] if len(self._models) == 1 else FallbackModel(*self._models, fallback_on=self._falls)
         at_once = self.options.at_once
         return model if at_once is None else ConcurrencyLimitedModel(model, at_once)
 
     def _falls(self, error: Exception) -> bool:
         """Return whether the next model is asked after an error, and note that it is."""
         if isinstance(error, ModelAPIError):
-            self.note(f"{sentence(error, self.spec, self.options.timeout, self.tape.scrub)} The next model was asked.")
+            self.note(f"{self._sentence(error, self.spec)} The next model was asked.")
         return isinstance(error, ModelAPIError)
+
+    def _sentence(self, error: Exception, spec: Spec) -> ModelError:
+        return sentence(error, spec, self.options.timeout, self.tape.scrub)
 
     async def _settled(
         self, model: Model, question: Question, answer: type[T], check: Check | None
     ) -> T | InputError | ModelError:
         """Ask one question; without pictures if the model turns out not to see."""
-        if question.images and not self._takes_pictures(model, question):
+        recorded = self.tape.recorded(question)
+        unseen = bool(recorded) and "request" in recorded and not recorded["request"]["images"]
+        if question.images and (
+            unseen or not self.sees or not self._models[0].profile.get("supports_image_input", True)
+        ):
             self._blind()
             question = replace(question, parts=question.texts)
         taped = _Taped(model, self, question)
@@ -288,23 +307,18 @@ class Client:
             if isinstance(failure, InputError):
                 return failure
         except FallbackExceptionGroup as group:
-            last = group.exceptions[-1]
-            failure = sentence(last, self.specs[-1], self.options.timeout, self.tape.scrub)
+            failure = self._sentence(group.exceptions[-1], self.specs[-1])
         except AgentRunError as error:
             if question.images and isinstance(error, ModelHTTPError) and refuses_images(error):
                 self._blind()
                 return await self._settled(model, question, answer, check)
-            failure = sentence(error, self.spec, self.options.timeout, self.tape.scrub)
+            failure = self._sentence(error, self.spec)
         taped.fail(failure)
         return failure
 
-    def _takes_pictures(self, model: Model, question: Question) -> bool:
-        return self.sees and model.profile.get("supports_image_input", True) and not self.tape.without_images(question)
-
     def _blind(self) -> None:
         """Note that the model does not see; it is never shown a picture again."""
-        if self.sees:
-            self.notes.append(f"{self.spec.name} does not take pictures; it plans from the text alone (mode no_image).")
+        self.note(f"{self.spec.name} does not take pictures; it plans from the text alone (mode no_image).")
         self.sees = False
 
     async def _run_agent(self, taped: _Taped, question: Question, answer: type[T], check: Check | None) -> T:
@@ -318,10 +332,13 @@ class Client:
                 raise ModelRetry(wrong)
             return output
 
+        content: list[UserContent] = []
+        for part in question.parts:
+            content += [part] if isinstance(part, str) else [part[0], BinaryContent(part[1], media_type="image/png")]
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")  # what the library has to say is nothing that a user can act on
             told, limits = self._settings(question), UsageLimits(request_limit=None)
-            result = await agent.run(_content(question), model_settings=told, usage=self.spent, usage_limits=limits)
+            result = await agent.run(content, model_settings=told, usage=self.spent, usage_limits=limits)
         return result.output
 
     def _output(self, question: Question, answer: type[Any]) -> Any:
@@ -330,7 +347,8 @@ class Client:
             return answer
         tools = not self.spec.prompted
         if self.tape.replay:
-            tools = any(part["kind"] == "tool-call" for part in self.tape.recorded_parts(question))
+            said = (self.tape.recorded(question) or {}).get("answer") or {"parts": ()}
+            tools = any(part["kind"] == "tool-call" for part in said["parts"])
         return ToolOutput(answer) if tools else PromptedOutput(answer)
 
     def _settings(self, question: Question) -> ModelSettings:
@@ -379,30 +397,3 @@ def from_answer(answer: Mapping[str, Any]) -> ModelResponse:
     cost = None if used["cost"] is None else Decimal(used["cost"])
     usage = RequestUsage(input_tokens=used["input_tokens"], output_tokens=used["output_tokens"], cost=cost)
     return ModelResponse(parts, usage=usage, model_name=answer["model"], finish_reason=answer["finish_reason"])
-
-
-def _content(question: Question) -> list[UserContent]:
-    content: list[UserContent] = []
-    for part in question.parts:
-        content += [part] if isinstance(part, str) else [part[0], BinaryContent(part[1], media_type="image/png")]
-    return content
-
-
-def _feedback(messages: Sequence[ModelMessage]) -> str:
-    """Return what was wrong with the answer before; empty at the first turn."""
-    parts = messages[-1].parts if len(messages) > 1 else ()
-    return "\n".join(content for part in parts if isinstance(content := getattr(part, "content", None), str))
-
-
-def _never(messages: list[ModelMessage], info: Any) -> ModelResponse:
-    raise ModelError("a replay never asks a model")
-
-
-def _run(coroutine: Coroutine[Any, Any, T]) -> T:
-    """Run a coroutine to its end, also where an event loop is running already (a notebook)."""
-    try:
-        asyncio.get_running_loop()
-    except RuntimeError:
-        return asyncio.run(coroutine)
-    with ThreadPoolExecutor(1) as pool:
-        return pool.submit(asyncio.run, coroutine).result()

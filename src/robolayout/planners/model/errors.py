@@ -5,7 +5,8 @@ from __future__ import annotations
 import json
 import re
 from collections.abc import Callable
-from typing import cast
+from typing import Any, cast
+from urllib.parse import urlsplit
 
 from pydantic_ai.exceptions import (
     ModelAuthenticationError,
@@ -30,6 +31,28 @@ BUSY = (408, 409, 425, 429)
 
 LONGEST_REASON = 300  # characters of a provider's own message that are shown
 
+QUOTED = re.compile(r"\s*[:,]?\s*(body: )?([{<]|\[(?!secret\])).*$")
+"""The raw JSON or page that a library quotes in its message."""
+
+REFUSALS: tuple[tuple[type[Exception], str], ...] = (
+    (
+        ModelAuthenticationError,
+        "{name} refused the key ({status}): {reason}. Check the key in the environment and what it allows.",
+    ),
+    (ModelNotFoundError, "there is no model {name!r} ({status}): {reason}.{near} Check the name."),
+    (ModelQuotaExceededError, "the account for {name} has no credit left ({status}): {reason}."),
+    (
+        ModelRateLimitError,
+        "{name} is still busy after several tries ({status}): {reason}. Try again later, or with fewer --samples.",
+    ),
+    (
+        ModelContextWindowExceededError,
+        "the room is too large for {name} ({status}): {reason}. Use --mode grouped or no_image, or a larger model.",
+    ),
+    (ModelHTTPError, "{name}{tried} ({status}): {reason}."),
+)
+"""What a server's refusal means, the first that fits."""
+
 
 def refuses_images(error: ModelHTTPError) -> bool:
     """Return whether a server turned a request down because of its pictures."""
@@ -42,77 +65,51 @@ def sentence(error: Exception, spec: Spec, timeout: float, scrub: Callable[[str]
     if isinstance(error, ModelTimeoutError | ModelRequestTimeout):
         late = f"{name} did not answer within {timeout:g} s"
         return UnavailableError(f"{late}. Raise --timeout, or choose a faster model.")
-    ours = next((cause for cause in _chain(error) if isinstance(cause, UnavailableError)), None)
+    causes = _chain(error)
+    ours = next((cause for cause in causes if isinstance(cause, UnavailableError)), None)
     if ours is not None:  # what we refuse to read is no broken connection, whatever a client makes of it
         return ours
     if isinstance(error, ModelConnectionError):
+        # "connection refused" under three wrappings: the system's words, if it spoke
+        root = next((cause for cause in reversed(causes) if isinstance(cause, OSError)), causes[-1])
+        parts = urlsplit(spec.base_url or "")  # without any password
+        host = f"{parts.hostname}:{parts.port}" if parts.port else parts.hostname or spec.provider
         return ModelError(
-            f"cannot connect to {spec.address} for {name}: {_first_line(str(_root(error)))}. Is the server running, and the address right?"
+            f"cannot connect to {host} for {name}: {_one_line(str(root))}. Is the server running, and the address right?"
         )
-    reason = unquoted(scrub(_reason(error)))[:LONGEST_REASON]
+    reason = QUOTED.sub("", scrub(_reason(error)))[:LONGEST_REASON] or "it does not have the form asked for"
     if not isinstance(error, ModelHTTPError):
         return AnswerError(f"{name} gave no usable answer: {reason}.")
-    busy = error.status_code >= 500 or error.status_code in BUSY
-    kind = UnavailableError if busy and not isinstance(error, ModelQuotaExceededError) else ModelError
-    return kind(_http_sentence(error, name, reason))
-
-
-def unquoted(reason: str) -> str:
-    """Return a reason without the raw JSON or page that a library quotes in it."""
-    return re.sub(r"\s*[:,]?\s*(body: )?([{<]|\[(?!secret\])).*$", "", reason) or "it does not have the form asked for"
-
-
-def _http_sentence(error: ModelHTTPError, name: str, reason: str) -> str:
-    status = error.status_code
-    if isinstance(error, ModelAuthenticationError):
-        return f"{name} refused the key ({status}): {reason}. Check the key in the environment and what it allows."
+    status, near = error.status_code, ""
     if isinstance(error, ModelNotFoundError):
         suggestion = error.suggested_model_id or nearest_model(name)
         near = f" Did you mean {suggestion!r}?" if suggestion else ""
-        return f"there is no model {name!r} ({status}): {reason}.{near} Check the name."
-    if isinstance(error, ModelQuotaExceededError):
-        return f"the account for {name} has no credit left ({status}): {reason}."
-    if isinstance(error, ModelRateLimitError):
-        busy = f"{name} is still busy after several tries ({status})"
-        return f"{busy}: {reason}. Try again later, or with fewer --samples."
-    if isinstance(error, ModelContextWindowExceededError):
-        large = f"the room is too large for {name} ({status})"
-        return f"{large}: {reason}. Use --mode grouped or no_image, or a larger model."
-    return f"{name}{' failed after several tries' if status >= 500 else ''} ({status}): {reason}."
+    tried = " failed after several tries" if status >= 500 else ""
+    meaning = next(words for kind, words in REFUSALS if isinstance(error, kind))
+    passes = (status >= 500 or status in BUSY) and not isinstance(error, ModelQuotaExceededError)
+    return (UnavailableError if passes else ModelError)(
+        meaning.format(name=name, status=status, reason=reason, near=near, tried=tried)
+    )
 
 
 def _reason(error: Exception) -> str:
-    """Return the provider's own message, on one line."""
-    body = getattr(error, "body", None)
+    """Return the provider's own message, on one line: OpenAI's body has a message, Anthropic's an error with a message."""
+    body: Any = getattr(error, "body", None)
     if isinstance(body, dict):
-        body = _message(cast("dict[str, object]", body))
-    return _first_line(str(body or getattr(error, "message", "") or error))
+        told = cast("dict[str, Any]", body)
+        inner = told.get("error")
+        words = told.get("message") or (inner.get("message") if isinstance(inner, dict) else inner)
+        body = words if isinstance(words, str) else json.dumps(words or told, default=str)
+    return _one_line(str(body or getattr(error, "message", "") or error))
 
 
-def _message(body: dict[str, object]) -> str:
-    """Return the words in an error's body: OpenAI's has a message, Anthropic's an error with a message."""
-    inner = body.get("error")
-    words = cast("dict[str, object]", inner).get("message") if isinstance(inner, dict) else inner
-    found = body.get("message") or words
-    return found if isinstance(found, str) else json.dumps(found or body, default=str)
-
-
-def _first_line(text: str) -> str:
+def _one_line(text: str) -> str:
     return " ".join(text.split()).rstrip(".") or "no reason given"
 
 
 def _chain(error: BaseException) -> list[BaseException]:
     """Return an error and its causes, the first cause last."""
     chain = [error]
-    for _ in range(20):
-        cause = chain[-1].__cause__ or chain[-1].__context__
-        if cause is None:
-            break
+    while len(chain) < 20 and (cause := chain[-1].__cause__ or chain[-1].__context__):
         chain.append(cause)
     return chain
-
-
-def _root(error: BaseException) -> BaseException:
-    """Return the first cause of an error ("connection refused" under three wrappings): the system's, if it spoke."""
-    chain = _chain(error)
-    return next((cause for cause in reversed(chain) if isinstance(cause, OSError)), chain[-1])

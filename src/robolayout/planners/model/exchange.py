@@ -15,13 +15,14 @@ import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from hashlib import sha256
+from operator import itemgetter
 from pathlib import Path
 from typing import Any
 
 from robolayout._errors import InputError, ModelError
 from robolayout._files import write_atomic
 from robolayout._reading import Checker, show
-from robolayout.planners.model.prompt import PROMPT_VERSION, digest
+from robolayout.planners.model.prompt import PROMPT_VERSION, Picture, digest
 
 SLOT = ("kind", "label", "attempt", "sample", "turn")  # what tells exchanges of a run apart
 Slot = tuple[str, str, int, int, int]
@@ -33,8 +34,6 @@ MOST_FILES, MOST_BYTES = 10_000, 4_000_000  # exchange files that a recording ma
 MOST_TOKENS = 10**12  # largest count in a recording
 
 _CHECK = Checker(InputError)
-
-Picture = tuple[str, bytes]  # the line above a picture, and the picture as PNG
 
 
 @dataclass(frozen=True)
@@ -102,33 +101,33 @@ class Tape:
         That of another job, or none for a group, is an `InputError`; none for a later attempt, sample or turn a `ModelError`.
         """
         entry = self._recorded.get(question.slot(turn))
+        times = f", attempt {question.attempt}" if question.attempt > 1 else ""
+        times += f", sample {question.sample}" if question.sample > 1 else ""
+        times += f", turn {turn}" if turn > 1 else ""
+        asked = f"{question.kind!r} for group {question.label!r}{times}"
         if entry is None:
+            labels = list(dict.fromkeys(label for _, label, *_ in self._recorded))
+            groups = ", ".join(map(repr, labels[:6])) + (", ..." if len(labels) > 6 else "")
             first = (question.attempt, question.sample, turn) == (1, 1, 1)
             raise (InputError if first else ModelError)(
-                f"{self.replay} holds no answer to {describe(question, turn)}; recorded are "
-                f"{len(self._recorded)} exchanges for {entry_kinds(self._recorded)}. Record again, or replay the same job."
+                f"{self.replay} holds no answer to {asked}; recorded are "
+                f"{len(self._recorded)} exchanges for {groups}. Record again, or replay the same job."
             )
         if entry["key"] != question.key:
             raise InputError(
-                f"the answer to {describe(question, turn)} in {self.replay} was given for another room, instruction, "
+                f"the answer to {asked} in {self.replay} was given for another room, instruction, "
                 "body, group or mode. Record again, or replay the same job."
             )
         if entry["state"] not in ("", question.state) and turn == 1:
             self.notes.append(
-                f"the replayed answer to {describe(question, turn)} was given to another wording or another state of the room."
+                f"the replayed answer to {asked} was given to another wording or another state of the room."
             )
         self._put(question, turn, entry)
         return entry
 
-    def without_images(self, question: Question) -> bool:
-        """Return whether a recorded question was asked without the pictures that it has now: the model did not see."""
-        entry = self._recorded.get(question.slot(1))
-        return entry is not None and "request" in entry and not entry["request"]["images"]
-
-    def recorded_parts(self, question: Question) -> list[dict[str, Any]]:
-        """Return the parts of a recorded first answer, for how it was given; empty if there is none."""
-        entry = self._recorded.get(question.slot(1))
-        return entry["answer"]["parts"] if entry and entry["answer"] else []
+    def recorded(self, question: Question) -> dict[str, Any]:
+        """Return the recorded first exchange of a question; empty if there is none."""
+        return self._recorded.get(question.slot(1), {})
 
     def write(
         self,
@@ -181,19 +180,6 @@ def file_name(question: Question, turn: int) -> str:
     return "-".join(part for part in parts if part) + ".json"
 
 
-def describe(question: Question, turn: int) -> str:
-    """Return which question it is, in words."""
-    times = f", attempt {question.attempt}" if question.attempt > 1 else ""
-    which = f", sample {question.sample}" if question.sample > 1 else ""
-    return f"{question.kind!r} for group {question.label!r}{times}{which}" + (f", turn {turn}" if turn > 1 else "")
-
-
-def entry_kinds(recorded: Mapping[Slot, object]) -> str:
-    """Return which groups a recording knows, shortened."""
-    labels = list(dict.fromkeys(slot[1] for slot in recorded))
-    return ", ".join(repr(label) for label in labels[:6]) + (", ..." if len(labels) > 6 else "") or "nothing"
-
-
 def secrets(environment: Mapping[str, str]) -> tuple[str, ...]:
     """Return the values of environment variables that hold keys, longest first."""
     found = {
@@ -217,7 +203,7 @@ def read_exchanges(folder: Path) -> dict[Slot, dict[str, Any]]:
         except InputError as error:
             what = f"no recorded exchange of format {FORMAT}"
             raise InputError(f"{path} is {what}: {error} Record the job again.") from None
-        found[entry["kind"], entry["label"], entry["attempt"], entry["sample"], entry["turn"]] = entry
+        found[itemgetter(*SLOT)(entry)] = entry
     return found
 
 
@@ -242,19 +228,18 @@ def _checked(value: object) -> dict[str, Any]:
 
 def _check_answer(answer: Mapping[str, object]) -> None:
     """Raise if what a model said lacks what is made of it."""
-    parts = _CHECK.sequence(_CHECK.required(answer, "parts", "answer"), "answer.parts", most=1000)
-    for i, value in enumerate(parts):
+    for i, value in enumerate(_CHECK.sequence(_CHECK.required(answer, "parts", "answer"), "answer.parts", most=1000)):
         where = f"answer.parts[{i}]"
         part = _CHECK.mapping(value, where)
         kind = _CHECK.required(part, "kind", where)
         if kind not in ("text", "tool-call"):
             raise InputError(f"{where}.kind is {show(kind)}; allowed are 'text' and 'tool-call'.")
-        for key in ("content", "tool") if kind == "tool-call" else ("content",):
+        for key in ("content", "tool")[: 1 + (kind == "tool-call")]:
             _CHECK.text(_CHECK.required(part, key, where), f"{where}.{key}", most=MOST_BYTES)
     for key in ("model", "finish_reason"):
         if (said := _CHECK.required(answer, key, "answer")) is not None:
             _CHECK.text(said, f"answer.{key}")
-    usage = _CHECK.mapping(_CHECK.required(answer, "usage", "answer"), "answer.usage")
+    usage = _CHECK.inner(answer, "usage", "answer", "answer.usage")
     for key in ("input_tokens", "output_tokens"):
         _whole(_CHECK.required(usage, key, "answer.usage"), f"answer.usage.{key}", least=0)
     cost = _CHECK.required(usage, "cost", "answer.usage")

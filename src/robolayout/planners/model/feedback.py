@@ -5,13 +5,10 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from types import MappingProxyType
 
 from robolayout._errors import ProgramError
 
 MOST_LINES = 40  # sentences of one kind that are told; more only hide the first ones
-
-NO_NAMES: Mapping[str, str] = MappingProxyType({})
 
 
 @dataclass(frozen=True)
@@ -29,48 +26,44 @@ class Feedback:
     stands: str = ""  # where the things that the program is about stand, one line each
     moved: Sequence[str] = ()  # how far the solver moved things from their guesses, and why
 
-    def text(self, names: Mapping[str, str] = NO_NAMES) -> str:
+    def text(self, names: Mapping[str, str] | None = None) -> str:
         """Return it in words, things called as a program writes them (`names`); empty if nothing is wrong."""
-        parts: list[str] = []
-        if self.cut:
-            parts.append(
-                "Your answer was cut off at its end, because it was too long. Write less: loops, and no comments."
-            )
-        if self.error is not None:
-            parts.append(f"The program could not be read:\n\n{_indented(str(self.error))}")
-        if self.dropped:
-            told = "\n\n".join(_indented(message) for message in self.dropped[:MOST_LINES])
-            parts.append(f"These lines could not be read and were left out; all others were used:\n\n{told}")
-        if self.forgotten:
-            listed = ", ".join(self.forgotten[:MOST_LINES])
-            parts.append(f"The program says nothing about these things, though they must be placed: {listed}.")
-        lists = (
-            ("The critic who saw the finished room says", self.wishes),
-            ("These statements could not be used, for the reason given, and were left out", self.rejections),
-            ("The solver did its best with the rest; the judge then measured", self.violations),
-        )
-        parts += [f"{head}:\n\n{_bullets(lines, names)}" for head, lines in lists if lines]
-        if parts and self.stands:
-            parts.append(f"The things that your program is about stand so now:\n\n{_indented(self.stands)}")
-        if parts and self.moved:
-            parts.append(f"Some are not where your program put them:\n\n{_bullets(self.moved, names)}")
-        return "\n\n".join(parts)
+        forgotten = ", ".join(self.forgotten[:MOST_LINES])
+        wrong = [
+            "Your answer was cut off at its end, because it was too long. Write less: loops, and no comments."
+            * self.cut,
+            _part("The program could not be read", _indented([str(self.error)] if self.error else [])),
+            _part("These lines could not be read and were left out; all others were used", _indented(self.dropped)),
+            forgotten and f"The program says nothing about these things, though they must be placed: {forgotten}.",
+            _part("The critic who saw the finished room says", _bullets(self.wishes, names)),
+            _part(
+                "These statements could not be used, for the reason given, and were left out",
+                _bullets(self.rejections, names),
+            ),
+            _part("The solver did its best with the rest; the judge then measured", _bullets(self.violations, names)),
+        ]
+        state = [
+            _part("The things that your program is about stand so now", _indented([self.stands])),
+            _part("Some are not where your program put them", _bullets(self.moved, names)),
+        ]
+        return "\n\n".join(filter(None, [*wrong, *state])) if any(wrong) else ""
 
 
-def _bullets(lines: Sequence[str], names: Mapping[str, str]) -> str:
-    told = (" ".join(in_program_words(line, names).split()) for line in lines[:MOST_LINES])
-    shown = [f"- {line}".replace("```", "'''") for line in told]
+def _part(head: str, body: str) -> str:
+    return f"{head}:\n\n{body}" if body else ""
+
+
+def _bullets(lines: Sequence[str], names: Mapping[str, str] | None) -> str:
+    """Return lines as a list, things called as a program writes them: `bed[0]` for "bed-0"."""
+    words = names or {}
+    known = "|".join(re.escape(name) for name in sorted(words, key=len, reverse=True)) or "(?!)"  # which fits nothing
+    name = re.compile(rf"(?<![\w\[-])(?:{known})(?![\w\[-])")
+    told = (name.sub(lambda found: words[found[0]], line).split() for line in lines[:MOST_LINES])
+    shown = [f"- {' '.join(line)}".replace("```", "'''") for line in told]
     more = len(lines) - MOST_LINES
     return "\n".join([*shown, f"- and {more} more."] if more > 0 else shown)
 
 
-def _indented(text: str) -> str:
-    return "\n".join(f"    {line}" for line in text.replace("```", "'''").splitlines())
-
-
-def in_program_words(sentence: str, names: Mapping[str, str]) -> str:
-    """Return a sentence in which things are called as a program writes them: `bed[0]` for "bed-0"."""
-    if not names:
-        return sentence
-    known = "|".join(re.escape(name) for name in sorted(names, key=len, reverse=True))
-    return re.sub(rf"(?<![\w\[-])(?:{known})(?![\w\[-])", lambda found: names[found[0]], sentence)
+def _indented(messages: Sequence[str]) -> str:
+    told = (text.replace("```", "'''").splitlines() for text in messages[:MOST_LINES])
+    return "\n\n".join("\n".join(f"    {line}" for line in lines) for lines in told)

@@ -6,7 +6,8 @@ A scene has `bed-0`, `lamp-0`, `lamp-1`. A model that answers [bed-0], [lamp[0],
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections import Counter
+from collections.abc import Callable
 from itertools import chain, count
 
 from pydantic import BaseModel, Field
@@ -42,59 +43,48 @@ class Rating(BaseModel):
 
 def complaint(scene: Scene, grouping: Grouping) -> str | None:
     """Return what is wrong with a grouping, for the model to mend; None if every thing is in exactly one group."""
-    known = _names(scene)
+    name_of = _names(scene)
     written = [item for group in grouping.groups for item in group.items]
-    named = [known[item.strip()] for item in written if item.strip() in known]
-    unknown = list(dict.fromkeys(item for item in written if item.strip() not in known))
-    missing = [asset.name for asset in scene.assets if asset.name not in named]
-    twice = list(dict.fromkeys(name for name in named if named.count(name) > 1))
-    faults = (
-        ("These things are in no group", missing),
-        ("These things are in more than one group", twice),
-        ("These names do not exist", unknown),
-    )
-    parts = [f"{words}: {_listed(names)}." for words, names in faults if names]
+    named = Counter(filter(None, map(name_of, written)))
+    faults = {
+        "These things are in no group": [asset.name for asset in scene.assets if asset.name not in named],
+        "These things are in more than one group": [name for name, times in named.items() if times > 1],
+        "These names do not exist": list(dict.fromkeys(item for item in written if not name_of(item))),
+    }
+    parts = [
+        f"{words}: {', '.join(names[:30])}" + (f" and {len(names) - 30} more." if len(names) > 30 else ".")
+        for words, names in faults.items()
+        if names
+    ]
     again = "Answer again with every thing in exactly one group, under its own name."
     return " ".join([*parts, again]) if parts else None
 
 
 def groups_of(scene: Scene, grouping: Grouping) -> tuple[Group, ...]:
     """Return the groups with every asset exactly once: first mention counts, unknown names go, leftovers come last."""
-    known, taken, labels = _names(scene), set[str](), set[str]()
-    groups: list[Group] = []
-    for answered in grouping.groups:
-        items = [known[item.strip()] for item in answered.items if item.strip() in known]
-        items = [name for name in dict.fromkeys(items) if name not in taken]
+    name_of, groups, taken = _names(scene), list[Group](), set[str]()
+    everything = [asset.name for asset in scene.assets]
+    rest = AnsweredGroup(label=LEFT_OVER, rationale="The model put these into no group.", items=everything)
+    for answered in (*grouping.groups, rest):
+        known = dict.fromkeys(filter(None, map(name_of, answered.items)))
+        items = tuple(name for name in known if name not in taken)
         if items:
             taken.update(items)
-            label = _fresh(_words(answered.label) or "group", labels)
-            phrases = tuple(_words(phrase) for phrase in answered.relations[:40])
-            groups.append(Group(label, _words(answered.rationale), tuple(items), phrases))
-    missing = tuple(asset.name for asset in scene.assets if asset.name not in taken)
-    if missing:
-        label = _fresh(LEFT_OVER, labels)
-        groups.append(Group(label, "The model put these into no group.", missing))
+            label = _words(answered.label) or "group"
+            labels = chain([label], (f"{label} {number}" for number in count(2)))
+            fresh = next(one for one in labels if all(one != group.label for group in groups))
+            phrases = tuple(map(_words, answered.relations[:40]))
+            groups.append(Group(fresh, _words(answered.rationale), items, phrases))
     return tuple(groups)
 
 
-def _names(scene: Scene) -> dict[str, str]:
-    """Return every way in which an asset may be named: `bed-0`, `bed[0]`, and `bed` if there is one."""
+def _names(scene: Scene) -> Callable[[str], str | None]:
+    """Return what reads an asset's name in every way in which it may be written: `bed-0`, `bed[0]`, and `bed` if there is one."""
     names = {written: name for name, written in scene.expressions.items()}
     names |= {variable: assets[0].name for variable, assets in scene.variables.items() if len(assets) == 1}
-    return names | {asset.name: asset.name for asset in scene.assets}
+    names |= {asset.name: asset.name for asset in scene.assets}
+    return lambda written: names.get(written) or names.get(written.strip())
 
 
 def _words(text: str) -> str:
     return " ".join(text.split())[:LONGEST_WORDS]
-
-
-def _fresh(label: str, labels: set[str]) -> str:
-    """Return a label that no other group has."""
-    numbered = (f"{label} {number}" for number in count(2))
-    unique = next(one for one in chain([label], numbered) if one not in labels)
-    labels.add(unique)
-    return unique
-
-
-def _listed(names: Sequence[str]) -> str:
-    return ", ".join(names[:30]) + (f" and {len(names) - 30} more" if len(names) > 30 else "")

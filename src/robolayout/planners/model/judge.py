@@ -8,13 +8,13 @@ room and overlaps nothing, else 0. Figures compare only where model and prompt a
 from __future__ import annotations
 
 import statistics
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Mapping
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from pydantic import BaseModel, Field
 
-from robolayout._errors import InputError, ModelError
+from robolayout._errors import InputError
 from robolayout.planners._types import Pictures
 from robolayout.planners.model import prompt as texts
 from robolayout.planners.model.exchange import Question
@@ -53,7 +53,11 @@ class Opinion:
 
     def to_dict(self) -> dict[str, Any]:
         """Return it as it is written to the report, also in sentences."""
-        scores = {name: _spread([getattr(vote, name) for vote in self.votes]) for name in ("positional", "rotational")}
+        scores: dict[str, dict[str, float | int]] = {}
+        for name in ("positional", "rotational"):
+            given = [getattr(vote, name) for vote in self.votes]
+            mean, deviation = statistics.fmean(given), statistics.pstdev(given)
+            scores[name] = {"mean": mean, "lowest": min(given), "highest": max(given), "deviation": deviation}
         told = (
             f"{name} coherence {s['mean']:.0f} of 100 ({s['lowest']} to {s['highest']}, standard deviation {s['deviation']:.1f})"
             for name, s in scores.items()
@@ -69,11 +73,6 @@ class Opinion:
             "votes": [vote.model_dump() for vote in self.votes],
             "sentences": [sentence, *reasons, *self.notes],
         }
-
-
-def _spread(scores: Sequence[int]) -> dict[str, float | int]:
-    mean, deviation = statistics.fmean(scores), statistics.pstdev(scores)
-    return {"mean": mean, "lowest": min(scores), "highest": max(scores), "deviation": deviation}
 
 
 class ModelJudge:
@@ -106,16 +105,9 @@ class ModelJudge:
             valid: Whether every thing is inside the room and overlaps nothing.
         """
         words = f"# What was asked for\n\n{texts.quoted(scene.task_description)}\n{texts.quoted(scene.layout_criteria)}"
-        shown = tuple((texts.image_label(name), data) for name, data in texts.images_in_order(images))
         key = texts.digest([texts.given_data(scene, None, "judge"), texts.poses_text(scene, layout)])
-        first = Question(
-            "judge", scene.name, 1, 1, texts.prompt("judge"), (words, *shown), key, FREEDOM, self.seed * 1000
-        )
-        asked = [replace(first, sample=i + 1, seed=first.seed + i) for i in range(self.votes)]
-        answers = self._client.ask(asked, Vote)
-        votes = tuple(answer for answer in answers if isinstance(answer, Vote))
-        failures = [answer for answer in answers if isinstance(answer, InputError | ModelError)]
-        if not votes:
-            raise failures[0]
-        notes = [*self._client.notes, *self._client.tape.notes, *(f"A vote is missing: {error}" for error in failures)]
+        parts, system = (words, *texts.shown(images)), texts.prompt("judge")
+        question = Question("judge", scene.name, 1, 1, system, parts, key, FREEDOM, self.seed * 1000)
+        votes, failures = self._client.ask(question, Vote, n=self.votes)
+        notes = (*self._client.warnings, *(f"A vote is missing: {error}" for error in failures))
         return Opinion(self._client.spec.name, votes, valid, (*notes, self._client.summary("judged")))

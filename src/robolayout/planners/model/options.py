@@ -4,10 +4,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Literal, cast, get_args
+from typing import TYPE_CHECKING, Literal, get_args
 
 from robolayout._errors import InputError, MissingExtraError, UnknownNameError
-from robolayout.planners.model.exchange import Tape
 
 if TYPE_CHECKING:
     from pydantic_ai.models import Model
@@ -48,19 +47,8 @@ class ModelOptions:
         """Return a client for a model; a replay needs none."""
         if model is None and self.replay is None:
             raise InputError("a model is needed: give one such as openai:gpt-4o, or a recording to replay.")
-        record, replay = (Path(folder) if folder else None for folder in (self.exchanges, self.replay))
-        tape = Tape(record, replay)
         try:
             from robolayout.planners.model.client import Client
-            from robolayout.planners.model.provider import Spec, spec_of
-        except ImportError as error:
-            if (error.name or "").partition(".")[0] not in ("pydantic_ai", "genai_prices", "httpx2", "openai"):
-                raise
+        except ModuleNotFoundError:
             raise MissingExtraError("asking a model", "vlm") from None
-        if tape.replay:
-            specs = [Spec(tape.model)]
-        else:
-            specs = [spec_of(cast("str | Model", model), self.base_url)]
-            specs += [spec_of(name, None) for name in self.fallback]
-        tape.model = specs[0].name
-        return Client(tuple(specs), tape, self)
+        return Client(model, self)

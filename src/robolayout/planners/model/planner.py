@@ -16,14 +16,15 @@ from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Literal, TypeVar, get_args
+from typing import TYPE_CHECKING, Any, Literal, get_args
 
-from robolayout._errors import AnswerError, InputError, SceneError, UnknownNameError
+from robolayout._errors import InputError, SceneError, UnknownNameError
 from robolayout.planners._types import USELESS, Group, Pictures, PlanRequest
 from robolayout.planners.model import prompt as texts
-from robolayout.planners.model.exchange import Picture, Question
+from robolayout.planners.model.exchange import Question
 from robolayout.planners.model.grouping import Grouping, Rating, complaint, groups_of
 from robolayout.planners.model.options import ModelOptions
+from robolayout.planners.model.prompt import Picture
 from robolayout.planners.model.rooms import Furnisher, Furnishing, choices_text
 from robolayout.planners.offline import OfflinePlanner
 from robolayout.planners.sentence import Understanding, scene_from_sentence
@@ -33,8 +34,6 @@ if TYPE_CHECKING:
     from pydantic_ai.models import Model
 
     from robolayout.planners.model.client import Usage
-
-T = TypeVar("T")
 
 Mode = Literal["grouped", "one_shot", "no_image", "no_constraint"]
 MODES: tuple[Mode, ...] = get_args(Mode)
@@ -102,7 +101,7 @@ class ModelPlanner:
     @property
     def warnings(self) -> tuple[str, ...]:
         """What did not go as asked, one sentence each."""
-        return tuple(dict.fromkeys([*self._client.notes, *self._client.tape.notes]))
+        return self._client.warnings
 
     @property
     def bill(self) -> str:
@@ -117,7 +116,7 @@ class ModelPlanner:
             "mode": self.mode,
             "samples": self.samples,
             "prompt_version": texts.PROMPT_VERSION,
-            "usage": self.usage.to_dict(),
+            "usage": dict(vars(self.usage)),
             "warnings": list(self.warnings),
             "sentences": [self._client.summary(f"planned in mode {self.mode}"), *self.warnings],
         }
@@ -131,15 +130,11 @@ class ModelPlanner:
         key = texts.digest({"kind": "room", "text": text, "kinds": list(reader.known)})
         parts = (choices_text(reader.known), f"# The words\n\n{texts.quoted(text)}")
         question = Question("room", EVERYTHING, 1, 1, texts.prompt("room"), parts, key, seed=self.seed)
-        (answer,) = self._client.ask([question], Furnishing, reader.complaint)
-        if isinstance(answer, Furnishing):
-            try:
-                return reader.scene(answer), reader.understanding(answer)
-            except SceneError as error:
-                answer = AnswerError(str(error))
-        if not isinstance(answer, USELESS):
-            raise answer
-        self._client.note(f"The words were read by rules instead of by {self.model}: {answer}")
+        try:
+            (answer,), _ = self._client.ask(question, Furnishing, reader.complaint)
+            return reader.scene(answer), reader.understanding(answer)
+        except (*USELESS, SceneError) as error:
+            self._client.note(f"The words were read by rules instead of by {self.model}: {error}")
         return scene_from_sentence(text, seed=self.seed)
 
     def group(self, scene: Scene) -> tuple[Group, ...]:
@@ -148,12 +143,13 @@ class ModelPlanner:
         if self.mode == "one_shot" or len(scene.assets) < 2:
             return (Group(EVERYTHING, "All at once.", tuple(asset.name for asset in scene.assets)),)
         parts = [texts.request_text(scene, None, names=True)]
-        question = self._question(scene, None, "group", instructions="group", parts=parts)
-        (answer,) = self._client.ask([question], Grouping, lambda given: complaint(scene, given))
-        if isinstance(answer, USELESS):
-            self._client.note(f"The offline planner's groups are asked for: {answer}")
+        question = self._question("group", scene, parts)
+        try:
+            (answer,), _ = self._client.ask(question, Grouping, lambda given: complaint(scene, given))
+            return groups_of(scene, answer)
+        except USELESS as error:
+            self._client.note(f"The offline planner's groups are asked for: {error}")
             return OfflinePlanner().group(scene)
-        return groups_of(scene, _sound(answer))
 
     def plan(self, request: PlanRequest) -> str:
         """Return one answer to the request: program text, in fences."""
@@ -173,18 +169,13 @@ class ModelPlanner:
             texts.retry_text(request),
             *self._shown({} if failed is None else {"failed": failed}),
         ]
-        first = self._question(request.scene, request.group, "plan", instructions=guess, parts=parts)
-        free = 0.3 if n == 1 else 0.8
-        seed = (self.seed + request.seed) * 1000 + first.attempt * 100
-        questions = [replace(first, sample=i + 1, seed=seed + i, temperature=free) for i in range(n)]
-        answers = self._client.ask(questions, str)
-        texts_ = tuple(answer for answer in answers if isinstance(answer, str))
-        failures = [answer for answer in answers if not isinstance(answer, str)]
-        if not texts_:
-            raise failures[0]
+        question = self._question("plan", request.scene, parts, request.group, instructions=guess)
+        seed = (self.seed + request.seed) * 1000 + question.attempt * 100
+        question = replace(question, seed=seed, temperature=0.3 if n == 1 else 0.8)
+        answers, failures = self._client.ask(question, str, n=n)
         for failure in failures:
             self._client.note(f"one of {n} samples is missing: {failure}")
-        return texts_
+        return answers
 
     def cut_off(self, text: str) -> bool:
         """Return whether an answer stopped because the model may not say more."""
@@ -197,35 +188,28 @@ class ModelPlanner:
             f"# Where everything stands\n\n{texts.poses_text(scene, layout)}\n\n# What was measured\n\n{report}",
             *self._shown(images),
         ]
-        question = self._question(scene, None, "rate", instructions="rate", parts=parts)
-        (answer,) = self._client.ask([question], Rating)
-        return _sound(answer)
+        return self._client.ask(self._question("rate", scene, parts), Rating)[0][0]
 
     def amend(self, request: PlanRequest) -> str:
         """Return the whole program, amended: `previous` is the program, `placed` the room, `feedback` what is wished for."""
         parts = [texts.request_text(request.scene, None), texts.amend_text(request), *self._shown(request.images)]
-        question = self._question(request.scene, None, "amend", instructions="plan", parts=parts)
-        (answer,) = self._client.ask([question], str)
-        return _sound(answer)
+        return self._client.ask(self._question("amend", request.scene, parts, instructions="plan"), str)[0][0]
 
     def _shown(self, images: Mapping[str, bytes]) -> list[Picture]:
         """Return pictures with the lines above them; none for a model that does not look."""
-        shown = () if self.pictures == "none" else texts.images_in_order(images)
-        return [(texts.image_label(name), data) for name, data in shown]
+        return [] if self.pictures == "none" else texts.shown(images)
 
     def _question(
-        self, scene: Scene, group: Group | None, kind: str, *, instructions: str, parts: Sequence[str | Picture]
+        self,
+        kind: str,
+        scene: Scene,
+        parts: Sequence[str | Picture],
+        group: Group | None = None,
+        instructions: str | None = None,
     ) -> Question:
         """Return a question with its place in the job: the same one asked again is the next attempt."""
-        data = {"mode": self.mode, **texts.given_data(scene, group, kind)}
+        key = texts.digest({"mode": self.mode, **texts.given_data(scene, group, kind)})
         label = group.label if group else EVERYTHING
-        key = texts.digest(data)
         self._asked[kind, label, key] += 1
         said, attempt = tuple(part for part in parts if part), self._asked[kind, label, key]
-        return Question(kind, label, attempt, 1, texts.prompt(instructions), said, key, seed=self.seed)
-
-
-def _sound(answer: T | Exception) -> T:
-    if isinstance(answer, Exception):
-        raise answer
-    return answer
+        return Question(kind, label, attempt, 1, texts.prompt(instructions or kind), said, key, seed=self.seed)

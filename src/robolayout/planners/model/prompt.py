@@ -17,18 +17,20 @@ from importlib.resources import files
 from string import Template
 from typing import Any
 
+from robolayout.assets.category import PLACES
 from robolayout.assets.obstacles import use_sides
 from robolayout.constraints import RELATIONS, Relation
 from robolayout.planners._types import Group, PlanRequest
 from robolayout.planners.sentence import SIZES
-from robolayout.scene import Agent, Asset, Layout, Opening, Pose, Room, Scene, agent_names
+from robolayout.scene import Agent, Asset, Layout, Opening, Room, Scene, agent_names
 
 PROMPT_VERSION = "3"  # version of the prompt files; written into every exchange and every report
-PLACES = ("floor", "wall", "ceiling", "another thing")  # where a thing may be
 LONGEST_DESCRIPTION = 400  # characters of a description that a model is shown
 
 WORDS = {"none": "None", "room": "None", "point": "(x, y)"}
 """How kinds of arguments are written, where not by their own name."""
+
+Picture = tuple[str, bytes]  # the line above a picture, and the picture as PNG
 
 WISHES = (
     "Each of these is a demand. As a wish it is only weighed against others, with a weight (below 0: rather not): "
@@ -78,10 +80,11 @@ def request_text(scene: Scene, group: Group | None, *, names: bool = False) -> s
     """
     assets = [scene.by_name[name] for name in group.items] if group else scene.assets
     written = scene.expressions
-    things = [{**asset_data(asset), **_used_from(asset)} for asset in assets]
-    if not names:
-        things = [{"variable": written[str(thing.pop("name"))], **thing} for thing in things]
-    lines = [quoted(thing) for thing in things]
+    lines: list[str] = []
+    for asset in assets:
+        thing, sides = asset_data(asset), use_sides(asset)
+        called = {} if names else {"variable": written[str(thing.pop("name"))]}
+        lines.append(quoted(called | thing | ({"used_from": list(sides)} if sides and len(sides) < 4 else {})))
     if group is not None:
         wanted = (f"- wanted: {quoted(phrase)}" for phrase in group.relations)
         lines = [f"The group {quoted(group.label)}: {quoted(group.rationale)}", *wanted, "", *lines]
@@ -125,10 +128,17 @@ def amend_text(request: PlanRequest) -> str:
 
 
 def poses_text(scene: Scene, layout: Layout) -> str:
-    """Return where things stand, one line each."""
-    written = scene.expressions
-    rows = ({"variable": written[name], **placed_data(scene.by_name[name], pose)} for name, pose in layout.items())
-    return "\n".join(quoted(row) for row in rows)
+    """Return where things stand, one line each, to 1 cm and 1 degree."""
+    lines: list[str] = []
+    for name, pose in layout.items():
+        row = {
+            "variable": scene.expressions[name],
+            "position": [round(value, 2) + 0.0 for value in (pose.x, pose.y, pose.z)],
+            "rotation": round(math.degrees(pose.yaw) % 360.0) % 360,
+            "size": [round(value, 2) for value in scene.by_name[name].size],
+        }
+        lines.append(quoted(row))
+    return "\n".join(lines)
 
 
 def _unfenced(request: PlanRequest) -> str:
@@ -182,34 +192,16 @@ def agent_text(agent: Agent) -> str:
 
 def asset_data(asset: Asset) -> dict[str, object]:
     """Return an asset as plain data."""
-    flags = (asset.on_floor, asset.on_wall, asset.on_ceiling, asset.on_object)
     data: dict[str, object] = {
         "name": asset.name,
         "category": asset.category,
-        "depth": round(asset.size[0], 3),
-        "width": round(asset.size[1], 3),
-        "height": round(asset.size[2], 3),
-        "on": [place for place, allowed in zip(PLACES, flags, strict=True) if allowed],
+        **{name: round(size, 3) for name, size in zip(("depth", "width", "height"), asset.size, strict=True)},
+        "on": ["another thing" if place == "object" else place for place in PLACES if getattr(asset, f"on_{place}")],
     }
     if asset.description:
-        short = asset.description[:LONGEST_DESCRIPTION]
-        data["description"] = short if short == asset.description else short + "..."
+        more = "..." if len(asset.description) > LONGEST_DESCRIPTION else ""
+        data["description"] = asset.description[:LONGEST_DESCRIPTION] + more
     return data
-
-
-def _used_from(asset: Asset) -> dict[str, object]:
-    """Return the sides that a thing is used from, where that is not any side."""
-    sides = use_sides(asset)
-    return {"used_from": list(sides)} if sides and len(sides) < 4 else {}
-
-
-def placed_data(asset: Asset, pose: Pose) -> dict[str, object]:
-    """Return a placed asset as plain data: pose to 1 cm and 1 degree."""
-    return {
-        "position": [round(value, 2) + 0.0 for value in (pose.x, pose.y, pose.z)],
-        "rotation": round(math.degrees(pose.yaw) % 360.0) % 360,
-        "size": [round(value, 2) for value in asset.size],
-    }
 
 
 @cache
@@ -219,17 +211,13 @@ def _labels() -> dict[str, str]:
     return tomllib.loads(text)
 
 
-def image_label(name: str) -> str:
-    """Return the line above an image."""
-    return (
-        _labels().get(name) or f"What {quoted(name)} looks like from its front, a little from its right and from above."
-    )
-
-
-def images_in_order(images: Mapping[str, bytes]) -> tuple[tuple[str, bytes], ...]:
-    """Return images with the room first, assets by name."""
-    rank = {name: i for i, name in enumerate(_labels()) if name != "failed"}
-    return tuple(sorted(images.items(), key=lambda entry: (rank.get(entry[0], len(rank)), entry[0])))
+def shown(images: Mapping[str, bytes]) -> list[Picture]:
+    """Return images with the lines above them, the room first, assets by name."""
+    labels = _labels()
+    rank = {name: i for i, name in enumerate(labels) if name != "failed"}
+    order = sorted(images, key=lambda name: (rank.get(name, len(rank)), name))
+    asset = "What {} looks like from its front, a little from its right and from above."
+    return [(labels.get(name) or asset.format(quoted(name)), images[name]) for name in order]
 
 
 def _point(point: tuple[float, float]) -> list[float]:

@@ -8,6 +8,7 @@ import re
 from collections.abc import AsyncIterator
 from dataclasses import dataclass
 from decimal import Decimal
+from typing import Any
 from urllib.parse import urlsplit
 
 import httpx2
@@ -15,10 +16,7 @@ from genai_prices import Usage, calc_price
 from genai_prices.data_snapshot import get_snapshot
 from pydantic_ai.exceptions import UserError
 from pydantic_ai.models import Model, create_async_httpx2_client, infer_model, known_model_names
-from pydantic_ai.models.openai import OpenAIChatModel
 from pydantic_ai.providers import infer_provider_class
-from pydantic_ai.providers.ollama import OllamaProvider
-from pydantic_ai.providers.openai import OpenAIProvider
 
 from robolayout._errors import InputError, UnavailableError, UnknownNameError
 from robolayout._reading import Checker
@@ -59,12 +57,6 @@ class Spec:
     def seeded(self) -> bool:
         """Whether the provider takes a seed."""
         return self.prompted or (self.model is None and self.provider in ("openai-chat", "google"))
-
-    @property
-    def address(self) -> str:
-        """Host and port for messages, without any password."""
-        parts = urlsplit(self.base_url or "")
-        return f"{parts.hostname}:{parts.port}" if parts.port else parts.hostname or self.provider
 
 
 def spec_of(model: str | Model, base_url: str | None) -> Spec:
@@ -118,46 +110,33 @@ def _check_url(base_url: str) -> None:
 def open_model(spec: Spec, *, priced: bool) -> Model:
     """Return a model ready to be asked; raises `InputError` for a missing key, package or price."""
     try:
-        if spec.model is not None:
-            model = spec.model
-        elif spec.provider == "anthropic":
-            model = _anthropic(spec)
-        elif spec.base_url is not None or spec.provider in ("openai", "openai-chat"):
-            model = _compatible(spec)
-        else:
-            model = infer_model(spec.name)
+        model = spec.model or _inferred(spec)
     except ImportError as error:
         raise InputError(_package_sentence(spec.provider, error)) from None
     except UserError as error:
-        raise InputError(_refusal(spec, error)) from None
-    if priced:
-        _check_price(spec, model)
+        variable = re.search(r"\b[A-Z][A-Z0-9]*_(?:API_KEY|KEY|TOKEN)\b", str(error))
+        if variable:
+            raise InputError(
+                f"{spec.provider} needs a key: set the environment variable {variable[0]} to ask {spec.name}."
+            ) from None
+        raise InputError(f"the model {spec.name!r} cannot be used: {str(error).split('. ')[0]}.") from None
+    if priced and price_of(model, 1, 1) is None:
+        raise InputError(
+            f"no price is known for {spec.name}, so --max-cost cannot be kept. Leave it out, or name a model with a price."
+        )
     return model
 
 
-def _compatible(spec: Spec) -> Model:
-    """Return a model that is asked by OpenAI's chat completions: OpenAI's own, or one at a server of the user's."""
-    client = _capped_client()
-    name = spec.name.partition(":")[2] if spec.provider in ("openai", "openai-chat", "ollama") else spec.name
-    provider = OllamaProvider if spec.provider == "ollama" else OpenAIProvider
-    return OpenAIChatModel(name, provider=provider(base_url=spec.base_url, http_client=client))
-
-
-def _anthropic(spec: Spec) -> Model:
-    """Return a model that is asked by Anthropic's messages."""
-    from pydantic_ai.models.anthropic import AnthropicModel
-    from pydantic_ai.providers.anthropic import AnthropicProvider
-
-    provider = AnthropicProvider(base_url=spec.base_url, http_client=_capped_client())
-    return AnthropicModel(spec.name.partition(":")[2], provider=provider)
-
-
-def _refusal(spec: Spec, error: UserError) -> str:
-    """Return why a model cannot be opened: mostly a key that is missing."""
-    variable = re.search(r"\b[A-Z][A-Z0-9]*_(?:API_KEY|KEY|TOKEN)\b", str(error))
-    if variable:
-        return f"{spec.provider} needs a key: set the environment variable {variable[0]} to ask {spec.name}."
-    return f"the model {spec.name!r} cannot be used: {str(error).split('. ')[0]}."
+def _inferred(spec: Spec) -> Model:
+    """Return a model of OpenAI's or Anthropic's protocol, whose answers are bounded, or of another of pydantic-ai's."""
+    if spec.base_url is None and spec.provider not in ("openai", "openai-chat", "anthropic"):
+        return infer_model(spec.name)
+    name = (
+        spec.name.partition(":")[2] if spec.provider in ("openai", "openai-chat", "anthropic", "ollama") else spec.name
+    )
+    protocol = spec.provider if spec.provider in ("anthropic", "ollama") else "openai-chat"
+    made: Any = infer_provider_class(protocol)
+    return infer_model(f"{protocol}:{name}", lambda _: made(base_url=spec.base_url, http_client=_capped_client()))
 
 
 def _package_sentence(provider: str, error: ImportError) -> str:
@@ -173,13 +152,6 @@ def price_of(model: Model, sent: int, received: int) -> Decimal | None:
         return calc_price(tokens, model.model_name, provider_id=model.system).total_price
     except (LookupError, ValueError):
         return None
-
-
-def _check_price(spec: Spec, model: Model) -> None:
-    if price_of(model, 1, 1) is None:
-        raise InputError(
-            f"no price is known for {spec.name}, so --max-cost cannot be kept. Leave it out, or name a model with a price."
-        )
 
 
 def _capped_client() -> httpx2.AsyncClient:
@@ -207,7 +179,7 @@ class _CappedStream(httpx2.AsyncByteStream):
     """A stream that ends in an error beyond `MOST_BYTES`."""
 
     def __init__(self, stream: httpx2.AsyncByteStream) -> None:
-        self._stream = stream
+        self._stream, self.aclose = stream, stream.aclose
 
     async def __aiter__(self) -> AsyncIterator[bytes]:
         total = 0
@@ -218,7 +190,3 @@ class _CappedStream(httpx2.AsyncByteStream):
                     f"the server answered with more than {MOST_BYTES // 1_000_000} MB, which is no program; it was not read."
                 )
             yield chunk
-
-    async def aclose(self) -> None:
-        """Close the stream."""
-        await self._stream.aclose()

@@ -9,7 +9,6 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
-from robolayout.constraints import Relation
 from robolayout.program import Program
 
 HARD = ("placed_share", "collision_free_share", "in_boundary_share", "supported_share", "door_clear")
@@ -31,7 +30,7 @@ class Score:
     def key(self) -> tuple[int, int, int, int]:
         """The figures in whole steps, so that rounding decides nothing."""
         hard, access, statements, agreed = (round(value / STEP) for value in vars(self).values())
-        return (hard, access, statements, agreed)
+        return hard, access, statements, agreed
 
     def to_dict(self) -> dict[str, float]:
         """Return the score as it is written beside the samples."""
@@ -40,10 +39,9 @@ class Score:
 
 def score_samples(figures: Sequence[Mapping[str, float | bool]], programs: Sequence[Program]) -> tuple[Score, ...]:
     """Return one score per sample, of its `Report.figures` and its program as asked."""
-    agreed = agreement(programs)
     return tuple(
         Score(_mean(row, HARD), _access(row), float(row["statements_met_share"]), shared)
-        for row, shared in zip(figures, agreed, strict=True)
+        for row, shared in zip(figures, agreement(programs), strict=True)
     )
 
 
@@ -52,7 +50,7 @@ def agreement(programs: Sequence[Program]) -> tuple[float, ...]:
 
     Two statements are the same when relation and things are, whatever their numbers: 1.0 m and 1.2 m are one opinion.
     """
-    said = [frozenset(_opinion(statement.relation) for statement in program.statements) for program in programs]
+    said = [{(one.relation.name, *map(str, one.relation.refs())) for one in program.statements} for program in programs]
     if len(said) < 2:
         return (1.0,) * len(said)
     return tuple(
@@ -61,11 +59,7 @@ def agreement(programs: Sequence[Program]) -> tuple[float, ...]:
     )
 
 
-def _opinion(relation: Relation) -> tuple[str, tuple[str, ...]]:
-    return (relation.name, tuple(str(ref) for ref in relation.refs()))
-
-
-def _overlap(a: frozenset[object], b: frozenset[object]) -> float:
+def _overlap(a: set[tuple[str, ...]], b: set[tuple[str, ...]]) -> float:
     return len(a & b) / len(a | b) if a | b else 1.0
 
 

@@ -3,17 +3,17 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Literal
+from typing import Literal, TypeGuard
 
 from pydantic import BaseModel, Field
 
 from robolayout._errors import SceneError
 from robolayout._reading import Checker
 from robolayout.assets import CATALOGUE, find_category
-from robolayout.assets.category import PLACES
+from robolayout.assets.category import PLACES, Category
 from robolayout.planners.sentence import SIZES, Understanding, asset_entry
 from robolayout.scene import Layout, Pose, Scene, agent_names, scene_from_dict, variable_name
 from robolayout.words import read_words
@@ -22,6 +22,12 @@ FILE = "catalogue.json"  # what a user's own catalogue is called in the folder o
 
 GIVEN = ("count", "opening", "refusal", "room size", "room area", "room height")
 """Rows of the ledger that a scene meets or not before anything is placed."""
+
+PLAIN: Mapping[str, object] = {
+    "task_description": "",
+    "boundary": {"floor_vertices": [[0, 0, 0], [50, 0, 0], [50, 50, 0], [0, 50, 0]], "wall_height": 20},
+}
+"""A scene file's content of a room that everything fits into."""
 
 _CHECK = Checker(SceneError)
 
@@ -71,18 +77,21 @@ class Choice:
 
 def choices(folder: Path | None) -> dict[str, Choice]:
     """Return the built-in kinds by name, then those of a user's own catalogue, which take the place of built-in ones."""
-    found = {kind.name: Choice(kind.size, kind.places, asset_entry(kind, kind.size)) for kind in CATALOGUE.values()}
-    if folder is None or not _has_catalogue(folder):
-        return found
-    data = _CHECK.mapping(_CHECK.read_json(folder / FILE, "catalogue"), FILE)
-    keys = _CHECK.mapping(_CHECK.required(data, "assets", FILE), f"{FILE}: assets")
-    for own in scene_from_dict(_bare({key: {"from": key} for key in keys}), base=folder, asset_dir=folder).assets:
-        places = tuple(place for place in PLACES if getattr(own, f"on_{place}"))
-        found[own.name] = Choice(own.size, places, {"from": own.name})
+    found = {kind.name: _choice(kind) for kind in CATALOGUE.values()}
+    if _has_catalogue(folder):
+        data = _CHECK.mapping(_CHECK.read_json(folder / FILE, "catalogue"), FILE)
+        keys = _CHECK.mapping(_CHECK.required(data, "assets", FILE), f"{FILE}: assets")
+        for own in _read({key: {"from": key} for key in keys}, folder).assets:
+            places = tuple(place for place in PLACES if getattr(own, f"on_{place}"))
+            found[own.name] = Choice(own.size, places, {"from": own.name})
     return found
 
 
-def _has_catalogue(folder: Path | None) -> bool:
+def _choice(kind: Category) -> Choice:
+    return Choice(kind.size, kind.places, asset_entry(kind, kind.size))
+
+
+def _has_catalogue(folder: Path | None) -> TypeGuard[Path]:
     return folder is not None and (folder / FILE).is_file()
 
 
@@ -104,7 +113,12 @@ class Furnisher:
             scene = self.scene(answer)
         except SceneError as error:
             return f"The room cannot be read: {error}"
-        wrong = list(self._unmet(scene))
+        there = Layout({asset.name: Pose(0.0, 0.0, 0.0, 0.0) for asset in scene.assets})
+        wrong = [
+            f"{row.words!r} asks for {row.understanding}, and it is: {row.value}"
+            for row in read_words(scene).judged(scene, there)
+            if (row.kind in GIVEN and row.verdict == "unmet") or (row.kind, row.verdict) == ("count", "not understood")
+        ]
         taken = sum(a.size[0] * a.size[1] for a in scene.assets if a.on_floor and not a.is_flat)
         if taken > SIZES.fullest * scene.room.area:
             wrong.append(
@@ -112,62 +126,51 @@ class Furnisher:
             )
         return f"The words are not met: {'; '.join(wrong)}. Answer again." if wrong else None
 
-    def _unmet(self, scene: Scene) -> Iterator[str]:
-        """Yield what the words ask of the room and its things and is not there."""
-        there = Layout({asset.name: Pose(0.0, 0.0, 0.0, 0.0) for asset in scene.assets})
-        for row in read_words(scene).judged(scene, there):
-            nothing = row.kind == "count" and row.verdict == "not understood"
-            if row.kind in GIVEN and (row.verdict == "unmet" or nothing):
-                yield f"{row.words!r} asks for {row.understanding}, and it is: {row.value}"
-
-    def scene(self, answer: Furnishing) -> Scene:
-        """Return the scene of an answer; raises `SceneError` for what no scene file may say."""
-        return scene_from_dict(self._data(answer), base=self.folder, asset_dir=self.folder)
-
     def understanding(self, answer: Furnishing) -> Understanding:
         """Return what was understood, as for a sentence that is read without a model."""
-        scene = self.scene(answer)
-        x0, y0, x1, y1 = scene.room.bounds
+        x0, y0, x1, y1 = self.scene(answer).room.bounds
         wished, added = Counter[str](), Counter[str]()
         for thing in answer.things:
             (wished if thing.asked else added)[thing.kind] += thing.count
         shape = "rectangular" if len(answer.corners) == 4 else f"{len(answer.corners)}-cornered"
-        size, height = (round(x1 - x0, 2), round(y1 - y0, 2)), scene.room.wall_height
+        size = (round(x1 - x0, 2), round(y1 - y0, 2))
         kind, *assumed = (" ".join(said.split()) for said in (answer.room_type, *answer.assumed))
         return Understanding(
-            self.text, kind, size, shape, height, answer.body, wished, added, tuple(assumed), ignored=()
+            self.text, kind, size, shape, answer.wall_height, answer.body, wished, added, tuple(assumed), ignored=()
         )
 
-    def _data(self, answer: Furnishing) -> dict[str, object]:
-        """Return an answer as the content of a scene file."""
+    def scene(self, answer: Furnishing) -> Scene:
+        """Return the scene of an answer; raises `SceneError` for what no scene file may say."""
         counts, assets = Counter[str](), dict[str, object]()
         for thing in answer.things:
             stem, entry = variable_name(thing.kind), self._entry(thing)
-            for _ in range(thing.count):
-                assets[f"{stem}-{counts[stem]}"] = entry
-                counts[stem] += 1
-        data = _bare(assets) | {
+            assets |= {f"{stem}-{counts[stem] + i}": entry for i in range(thing.count)}
+            counts[stem] += thing.count
+        data: dict[str, object] = {
             "task_description": self.text,
             "boundary": {"floor_vertices": [[*at, 0.0] for at in answer.corners], "wall_height": answer.wall_height},
             "doors": [door.model_dump(exclude={"sill"}) for door in answer.doors],
             "windows": [window.model_dump() for window in answer.windows],
         }
-        if not _has_catalogue(self.folder):
-            del data["catalogue"]
-        if answer.body is not None and answer.body not in agent_names():
-            raise SceneError(f"there is no body {answer.body!r}; known are {', '.join(agent_names())}.")
-        return data | ({} if answer.body is None else {"agent": answer.body})
+        if answer.body is not None:
+            if answer.body not in agent_names():
+                raise SceneError(f"there is no body {answer.body!r}; known are {', '.join(agent_names())}.")
+            data["agent"] = answer.body
+        return _read(assets, self.folder, data)
 
     def _entry(self, thing: Thing) -> dict[str, object]:
         """Return a thing as a scene file has it."""
-        choice = self.known.get(thing.kind) or _like(thing.kind)
+        meant = find_category(thing.kind)  # the built-in kind that the words mean
+        choice = self.known.get(thing.kind) or (None if meant.group == "unknown" else _choice(meant))
         size = thing.size or (choice and choice.size)
         place = thing.place or (choice and choice.places[0])
         if size is None or place is None or len(size) != 3:
             raise SceneError(
                 f"{thing.kind!r} is no kind of the list: give its size (depth, width, height) and its place."
             )
-        entry: dict[str, object] = dict(choice.entry) if choice else {"category": thing.kind}
+        entry: dict[str, object] = dict(choice.entry) if choice else {}
+        if thing.kind not in self.known:
+            entry["category"] = thing.kind
         if choice is None or thing.place is not None:
             entry |= {f"on{at.title()}": at == place for at in PLACES}
         if "from" not in entry:
@@ -175,15 +178,7 @@ class Furnisher:
         return entry | ({"description": thing.description} if thing.description else {})
 
 
-def _like(words: str) -> Choice | None:
-    """Return the built-in kind that some words mean, under these words; None where nothing is known of them."""
-    kind = find_category(words)
-    entry = asset_entry(kind, kind.size) | {"category": words}
-    return None if kind.group == "unknown" else Choice(kind.size, kind.places, entry)
-
-
-def _bare(assets: Mapping[str, object]) -> dict[str, object]:
-    """Return a scene file's content of a plain room, with a user's catalogue."""
-    square = [[0.0, 0.0, 0.0], [50.0, 0.0, 0.0], [50.0, 50.0, 0.0], [0.0, 50.0, 0.0]]
-    boundary = {"floor_vertices": square, "wall_height": 20.0}
-    return {"task_description": "", "boundary": boundary, "catalogue": FILE, "assets": dict(assets)}
+def _read(assets: Mapping[str, object], folder: Path | None, data: Mapping[str, object] = PLAIN) -> Scene:
+    """Return a scene of some things, with a user's catalogue if there is one."""
+    catalogue = {"catalogue": FILE} if _has_catalogue(folder) else {}
+    return scene_from_dict({**data, "assets": dict(assets), **catalogue}, base=folder, asset_dir=folder)
