@@ -359,8 +359,8 @@ class Client:
             settings["thinking"] = options.thinking
         if options.cache:
             settings["cache"] = {"messages": False}
-        if self.spec.seeded:
-            settings["seed"] = question.seed
+        if self.spec.prompted or (self.spec.model is None and self.spec.provider in ("openai-chat", "google")):
+            settings["seed"] = question.seed  # others take none
         return settings
 
 

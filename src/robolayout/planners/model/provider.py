@@ -50,13 +50,8 @@ class Spec:
 
     @property
     def prompted(self) -> bool:
-        """Whether typed answers are asked for in words: servers of one's own often have no tools."""
+        """Whether it is a server of one's own, which often has no tools: typed answers are asked for in words."""
         return self.model is None and self.provider != "anthropic" and self.base_url is not None
-
-    @property
-    def seeded(self) -> bool:
-        """Whether the provider takes a seed."""
-        return self.prompted or (self.model is None and self.provider in ("openai-chat", "google"))
 
 
 def spec_of(model: str | Model, base_url: str | None) -> Spec:
@@ -135,8 +130,11 @@ def _inferred(spec: Spec) -> Model:
         spec.name.partition(":")[2] if spec.provider in ("openai", "openai-chat", "anthropic", "ollama") else spec.name
     )
     protocol = spec.provider if spec.provider in ("anthropic", "ollama") else "openai-chat"
-    made: Any = infer_provider_class(protocol)
-    return infer_model(f"{protocol}:{name}", lambda _: made(base_url=spec.base_url, http_client=_capped_client()))
+    client = create_async_httpx2_client()
+    client.headers["Accept-Encoding"] = "identity"
+    client.event_hooks = {**client.event_hooks, "response": [_cap]}
+    opened: Any = infer_provider_class(protocol)
+    return infer_model(f"{protocol}:{name}", lambda _: opened(base_url=spec.base_url, http_client=client))
 
 
 def _package_sentence(provider: str, error: ImportError) -> str:
@@ -154,15 +152,8 @@ def price_of(model: Model, sent: int, received: int) -> Decimal | None:
         return None
 
 
-def _capped_client() -> httpx2.AsyncClient:
-    """Return an HTTP client that never reads more of an answer than `MOST_BYTES`."""
-    client = create_async_httpx2_client()
-    client.headers["Accept-Encoding"] = "identity"
-    client.event_hooks = {**client.event_hooks, "response": [_cap]}
-    return client
-
-
 async def _cap(response: httpx2.Response) -> None:
+    """Let never more of an answer be read than `MOST_BYTES`, nor packed bytes, nor JSON that is none."""
     if response.headers.get("Content-Encoding", "identity") != "identity":
         raise UnavailableError(
             "the server answered with packed bytes, though it was asked for plain ones; they were not read."
