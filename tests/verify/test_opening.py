@@ -13,9 +13,9 @@ from verify_rooms import DISC, furnished, on_floor, square, thing
 
 from robolayout.scene import Agent, Asset
 from robolayout.verify import usage
+from robolayout.verify._approaches import swept
 from robolayout.verify._boxes import boxes
 from robolayout.verify._space import areas
-from robolayout.verify._swept import swept
 from robolayout.verify.heading import rectangle
 from robolayout.verify.holds import STRIDES
 

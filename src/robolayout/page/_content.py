@@ -21,7 +21,7 @@ from robolayout.render.contents import display_name, level
 from robolayout.render.curves import TOTAL, loss_terms
 from robolayout.scene import Agent, Trace
 from robolayout.verify import AgentReport, Demands, Report, exempt_from_reach
-from robolayout.verify.sentences import unreached_sentence
+from robolayout.verify.navigation import unreached_sentence
 
 
 @dataclass(frozen=True)

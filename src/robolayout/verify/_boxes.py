@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from functools import cached_property, lru_cache
 from typing import Any
 
@@ -32,30 +32,28 @@ class Boxes:
     poses: NDArray[np.float64]  # (n, 4) x, y, z in metres and yaw in radians; NaN where unplaced
     placed: NDArray[np.bool_]  # (n,) whether it has a pose of finite numbers
     footprints: NDArray[np.object_]  # (n,) Shapely polygons in the world frame; empty where unplaced
-    centers: NDArray[np.float64]  # (n, 2) metres; NaN where unplaced
     bottom: NDArray[np.float64]  # (n,) metres; NaN where unplaced
     top: NDArray[np.float64]  # (n,) metres; NaN where unplaced
     flat: NDArray[np.bool_]  # (n,) whether it is a rug
     ceiling: NDArray[np.bool_]  # (n,) whether it hangs from the ceiling
     movable: NDArray[np.bool_]  # (n,) whether a person moves it in daily use, as a chair
-    _chairs_at: dict[int, frozenset[int]] = field(default_factory=dict[int, frozenset[int]], repr=False)
-
-    def meeting(self, step: float, height: float) -> NDArray[np.intp]:
-        """Return the rows whose boxes meet the heights [step, height] and that are no rugs."""
-        return np.flatnonzero(self.placed & ~self.flat & (self.top > step + 1e-9) & (self.bottom < height - 1e-9))
 
     @cached_property
     def carriers(self) -> NDArray[np.intp]:
         """(n,) row that carries each asset, rugs aside; -1 where none."""
         return self.held_by(~self.flat)
 
-    def pairs(self, rows: NDArray[np.intp]) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
-        """Return the pairs of some rows whose footprints meet, the lower row first, in order."""
+    def pairs(self, rows: NDArray[np.intp]) -> NDArray[np.intp]:
+        """Return the pairs (m, 2) of some rows whose footprints meet, the lower row first, in order."""
         footprints = self.footprints[rows]
-        first, second = STRtree(footprints).query(footprints, predicate="intersects")
-        order = np.lexsort((second, first))
-        first, second = first[order], second[order]
-        return rows[first[first < second]], rows[second[first < second]]
+        found = STRtree(footprints).query(footprints, predicate="intersects").T
+        return rows[np.unique(found[found[:, 0] < found[:, 1]], axis=0)]
+
+    def overlapping(self, rows: NDArray[np.intp], area: float, height: float) -> NDArray[np.intp]:
+        """Return the pairs (m, 2) of some rows whose boxes share more square metres in plan and metres of height than these."""
+        found = self.pairs(rows)
+        found = found[self.top[found].min(axis=1) - self.bottom[found].max(axis=1) > height]
+        return found[shared_area(*self.footprints[found.T]) > area]
 
     @property
     def carried(self) -> dict[str, str]:
@@ -76,15 +74,17 @@ class Boxes:
         found[self.carriers[self.carriers >= 0]] = False
         return found
 
+    @cached_property
+    def _near_chairs(self) -> NDArray[np.bool_]:
+        """(n, chairs) which chairs stand at which asset or at what carries it."""
+        near = shapely.dwithin(self.footprints[:, None], self.footprints[self.chairs], JUDGE.at)
+        carried = self.carriers >= 0
+        near[carried] |= near[self.carriers[carried]]
+        return near
+
     def chairs_at(self, row: int) -> frozenset[int]:
         """Return the chairs that stand at an asset or at what carries it; none for a chair itself."""
-        if row not in self._chairs_at:
-            chairs, feet = np.flatnonzero(self.chairs), self.footprints
-            near = shapely.dwithin(feet[chairs], feet[row], JUDGE.at)
-            if self.carriers[row] >= 0:
-                near |= shapely.dwithin(feet[chairs], feet[self.carriers[row]], JUDGE.at)
-            self._chairs_at[row] = frozenset() if self.chairs[row] else frozenset(chairs[near].tolist())
-        return self._chairs_at[row]
+        return frozenset(() if self.chairs[row] else np.flatnonzero(self.chairs)[self._near_chairs[row]].tolist())
 
     def held_by(self, among: NDArray[np.bool_]) -> NDArray[np.intp]:
         """Return (n,) which of the assets `among` carries each, what lies under its middle first; -1 where it would fall."""
@@ -118,28 +118,20 @@ class Boxes:
         x, y, z, yaw = self.poses[row].tolist()
         return self.assets[row], (x, y, z, yaw)
 
-    def shape(self, row: int) -> tuple[NDArray[np.object_], NDArray[np.float64], NDArray[np.float64]]:
-        """Return the prisms of a placed asset: outlines in plan, and between which heights each stands, metres."""
-        return prisms_at(*self.where(row))
-
     def lies_in(self, row: int, lower: int, sunk: float) -> bool:
         """Return whether an asset hangs from another, or is wholly in the room over a surface of it, `sunk` metres in it at most,
         and below what covers that: on the surface, or on what lies there."""
+        if _lift(self.assets[row]) > 0.0 and lower in self.contacts.get(row, ()):
+            return True
         above, below = self.assets[row].size, self.assets[lower].size
-        if above[0] * above[1] > below[0] * below[1]:
-            return self._hangs_from(row, lower)
         level = self.bottom[row] - self.bottom[lower]
         foot = out_of_room(self.footprints[row], self.poses[lower])
-        top = level + self.assets[row].size[2]
-        return any(
+        return above[0] * above[1] <= below[0] * below[1] and any(
             level - place.height >= -sunk
-            and top <= place.height + place.free + JUDGE.carried
+            and level + above[2] <= place.height + place.free + JUDGE.carried
             and place.region.buffer(JUDGE.within).covers(foot)
             for place in surfaces_of(self.assets[lower])
-        ) or self._hangs_from(row, lower)
-
-    def _hangs_from(self, row: int, lower: int) -> bool:
-        return _lift(self.assets[row]) > 0.0 and lower in self.contacts.get(row, ())
+        )
 
 
 def _lift(asset: Asset) -> float:
@@ -153,7 +145,7 @@ def _lift(asset: Asset) -> float:
 
 @lru_cache(maxsize=4096)
 def prisms_at(asset: Asset, place: Place) -> tuple[NDArray[np.object_], NDArray[np.float64], NDArray[np.float64]]:
-    """Return the prisms of a placed asset; see `Boxes.shape`."""
+    """Return the prisms of a placed asset: outlines in plan, and between which heights each stands, metres."""
     ring, low, high = _prism_table(asset)
     bottom = place[2] - asset.size[2] / 2
     return np.asarray(shapely.polygons(in_plan(ring, place)), dtype=object), low + bottom, high + bottom
@@ -234,21 +226,18 @@ def _fixed(assets: tuple[Asset, ...]) -> tuple[NDArray[np.float64], dict[str, An
 def boxes(scene: Scene, layout: Layout) -> Boxes:
     """Return the boxes of all assets; poses of names that the scene does not have are ignored."""
     sizes, fixed = _fixed(tuple(scene.assets))
-    poses = np.full((len(sizes), 4), np.nan)
-    for row, name in enumerate(fixed["names"]):
-        pose = layout.get(name)
-        if pose is not None:
-            poses[row] = (pose.x, pose.y, pose.z, pose.yaw)
+    there = (layout.get(name) for name in fixed["names"])
+    poses = np.array(
+        [(pose.x, pose.y, pose.z, pose.yaw) if pose else (math.nan,) * 4 for pose in there], dtype=float
+    ).reshape(-1, 4)
     placed = np.asarray(np.isfinite(poses).all(axis=1))
     poses[~placed] = np.nan
     footprints = np.full(len(sizes), Polygon(), dtype=object)
-    if placed.any():
-        footprints[placed] = shapely.polygons(corners(poses[placed], sizes[placed]))
+    footprints[placed] = shapely.polygons(corners(poses[placed], sizes[placed]))
     return Boxes(
         poses=poses,
         placed=placed,
         footprints=footprints,
-        centers=poses[:, :2],
         bottom=poses[:, 2] - sizes[:, 2] / 2,
         top=poses[:, 2] + sizes[:, 2] / 2,
         **fixed,

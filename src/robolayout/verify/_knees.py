@@ -8,7 +8,7 @@ import numpy as np
 
 from robolayout.assets import Prism, category_of, prisms_of
 from robolayout.scene import Asset
-from robolayout.verify._ada import ADA
+from robolayout.verify.limits import ADA
 
 SAT_AT = ("table", "desk", "workbench", "counter", "basin", "washbasin", "sink", "vanity", "island")
 """Last words of the kinds of things that one sits at."""

@@ -8,7 +8,6 @@ stands at.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
 
@@ -47,7 +46,7 @@ class Obstacles:
 
     def moved_for(self, found: Boxes, row: int) -> frozenset[int]:
         """Return which of them are moved away to use an asset."""
-        return found.chairs_at(row) & self.movables if self.movables else self.movables
+        return found.chairs_at(row) & self.movables
 
 
 _NO_SHAPES = np.empty(0, dtype=np.object_)
@@ -58,27 +57,20 @@ NOTHING = Obstacles(np.empty(0, dtype=np.intp), _NO_SHAPES, _NO_FLAGS, _NO_FLAGS
 
 def obstacles(found: Boxes, agent: Agent) -> Obstacles:
     """Return what stands in a body's way among the placed assets; rugs never do."""
-    met = found.meeting(agent.step, agent.height)
-    whole: list[int] = []
-    rows: list[int] = []
-    rectangles: list[Rectangles] = []
-    shelter: list[int] = []
-    for row in met.tolist():
-        low, high = agent.step - float(found.bottom[row]), agent.height - float(found.bottom[row])
-        pieces = part_rectangles(found.assets[row], round(low, 6), round(high, 6))
-        if pieces is None:
-            whole.append(row)
-        else:
-            rows += [row] * len(pieces)
-            rectangles.append(pieces)
-            shelter.append(row)
-    shapes = found.footprints[whole]
-    if rows:
-        shapes = np.concatenate([shapes, _placed(found.poses[rows], np.concatenate(rectangles))])
-    every = np.array(whole + rows, dtype=np.intp)
-    partial = np.arange(len(shapes)) >= len(whole)
-    movable = found.chairs[every] & (agent.reach_distance is not None)
-    return Obstacles(every, shapes, partial, movable, found.footprints[shelter])
+    high_enough = (found.top > agent.step + 1e-9) & (found.bottom < agent.height - 1e-9)
+    met = np.flatnonzero(found.placed & ~found.flat & high_enough)
+    spans = [(round(agent.step - z, 6), round(agent.height - z, 6)) for z in found.bottom[met].tolist()]
+    pieces = [part_rectangles(found.assets[row], *span) for row, span in zip(met, spans, strict=True)]
+    inner = [rectangles for rectangles in pieces if rectangles is not None]
+    is_whole = np.array([rectangles is None for rectangles in pieces], dtype=bool)
+    shelter = met[~is_whole]
+    rows = np.concatenate([met[is_whole], np.repeat(shelter, [len(rectangles) for rectangles in inner])])
+    whole = int(is_whole.sum())
+    shapes = found.footprints[rows]
+    if inner:
+        shapes[whole:] = _placed(found.poses[rows[whole:]], np.concatenate(inner))
+    movable = found.chairs[rows] & (agent.reach_distance is not None)
+    return Obstacles(rows, shapes, np.arange(len(rows)) >= whole, movable, found.footprints[shelter])
 
 
 def _placed(poses: NDArray[np.float64], rectangles: Rectangles) -> NDArray[np.object_]:
@@ -95,13 +87,8 @@ def _placed(poses: NDArray[np.float64], rectangles: Rectangles) -> NDArray[np.ob
 def part_rectangles(asset: Asset, low: float, high: float) -> Rectangles | None:
     """Return the rectangles around an asset's prisms between two heights; None where they make up its whole box."""
     met = [p for p in prisms_of(asset) if p.high > low + ROUNDING and p.low < high - ROUNDING]
-    kept = _outermost([(p.x - p.hx, p.y - p.hy, p.x + p.hx, p.y + p.hy) for p in met])
+    rectangles = np.array(sorted({(p.x - p.hx, p.y - p.hy, p.x + p.hx, p.y + p.hy) for p in met})).reshape(-1, 4)
+    low_in, high_in = (rectangles[:, None, :2] >= rectangles[:, :2]), (rectangles[:, None, 2:] <= rectangles[:, 2:])
+    kept = rectangles[(low_in & high_in).all(axis=2).sum(axis=1) == 1]  # those that lie in no other one
     covered = shapely.union_all(shapely.box(*kept.T)).area
     return None if covered >= SOLID * asset.size[0] * asset.size[1] else kept
-
-
-def _outermost(rows: Iterable[tuple[float, ...]]) -> Rectangles:
-    """Return the rectangles that lie in no other one."""
-    rectangles = np.array(sorted(set(rows))).reshape(-1, 4)
-    inside = (rectangles[:, None, :2] >= rectangles[None, :, :2]) & (rectangles[:, None, 2:] <= rectangles[None, :, 2:])
-    return rectangles[inside.all(axis=2).sum(axis=1) == 1]

@@ -7,8 +7,8 @@ a wheelchair): the free space is exact along every straight edge and larger than
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
-from functools import lru_cache
+from dataclasses import dataclass
+from functools import cache, cached_property, lru_cache
 from typing import Any
 
 import numpy as np
@@ -19,7 +19,7 @@ from shapely.geometry.base import BaseGeometry
 
 from robolayout.scene import OPENINGS, ROUNDING, Room
 from robolayout.verify._boxes import Boxes, landings, room_polygon
-from robolayout.verify._obstacles import NOTHING, Obstacles
+from robolayout.verify._obstacles import Obstacles
 from robolayout.verify.limits import FINE, JUDGE
 
 _NONE = np.empty(0, dtype=np.object_)
@@ -33,26 +33,20 @@ class Space:
     free: MultiPolygon  # where its centre may be
     main: Polygon  # the part of it that the agent comes into; empty if it cannot come in
     door: Polygon | None  # where it comes in: the landing of the first door; None without a door
-    empty: BaseGeometry = field(default_factory=Polygon, repr=False)  # where its centre may be in the empty room
-    blocking: Obstacles = field(default=NOTHING, repr=False)  # what stands in its way
-    _opened: dict[frozenset[int], NDArray[np.object_]] = field(
-        default_factory=dict[frozenset[int], NDArray[np.object_]], repr=False
-    )
+    empty: BaseGeometry  # where its centre may be in the empty room
+    blocking: Obstacles  # what stands in its way
 
-    def opened(self, rows: frozenset[int]) -> NDArray[np.object_]:
-        """Return what the agent gets to beyond the main component once some assets are moved away."""
-        if rows not in self._opened:
-            spaces = (self.empty, self.free, self.main)
-            self._opened[rows] = opened(self.blocking, rows, spaces, self._grown, self.radius)
-        return self._opened[rows]
+    @cached_property
+    def opened(self) -> Callable[[frozenset[int]], NDArray[np.object_]]:
+        """Returns what the agent gets to beyond the main component once some assets are moved away."""
 
-    def _grown(self, shapes: NDArray[np.object_], more: float) -> NDArray[np.object_]:
-        return shapely.buffer(shapes, self.radius + more, quad_segs=FINE.quad_segs)
+        def grown(shapes: NDArray[np.object_], more: float) -> NDArray[np.object_]:
+            return shapely.buffer(shapes, self.radius + more, quad_segs=FINE.quad_segs)
 
-    @property
-    def walkable_ratio(self) -> float:
-        """Area of the main component over all free area; 0 if there is none."""
-        return float(self.main.area / self.free.area) if self.free.area > 0 else 0.0
+        def beyond(rows: frozenset[int]) -> NDArray[np.object_]:
+            return opened(self.blocking, rows, (self.empty, self.free, self.main), grown, self.radius)
+
+        return cache(beyond)
 
 
 def disc_space(room: Room, obstacles: Obstacles, radius: float) -> Space:
@@ -188,3 +182,8 @@ def plan_distances(found: Boxes, space: Space, reach: float) -> NDArray[np.float
 def reached_rows(found: Boxes, distances: NDArray[np.float64], reach: float) -> NDArray[np.bool_]:
     """Return which assets are reached from where the agent can be; ceiling assets and rugs need no reaching."""
     return found.placed & (found.flat | found.ceiling | (distances <= reach + ROUNDING))
+
+
+def reached_by(found: Boxes, space: Space, reach: float) -> NDArray[np.bool_]:
+    """Return which assets a disc reaches, chairs moved away."""
+    return reached_rows(found, plan_distances(found, space, reach), reach)

@@ -8,14 +8,12 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any
 
-from robolayout.scene import Agent, Point, Pose
-from robolayout.verify.drives import Drive, entry, find_drives
-from robolayout.verify.heading import HeadingSpace
+from robolayout.scene import Agent, Layout, Pose, Scene
+from robolayout.verify.heading import Drive, HeadingSpace, entry, find_drives
 from robolayout.verify.limits import Demands
-from robolayout.verify.navigation import Navigation
-from robolayout.verify.proofs import Remedies, exempt_from_reach, exempt_from_use, impossible, remedies
-from robolayout.verify.sentences import agent_violations
-from robolayout.verify.use import Usage
+from robolayout.verify.navigation import Navigation, blocked_sentence, navigation, shut_sentence, unreached_sentence
+from robolayout.verify.proofs import Remedies, exempt_from_reach, exempt_from_use, impossible, kept_out, remedies
+from robolayout.verify.use import Usage, usage
 
 
 @dataclass(frozen=True, eq=False)
@@ -63,10 +61,12 @@ class AgentReport:
         """For a rectangular body the way, with its heading, to where it uses each thing; empty for a disc."""
         if self.headings is None:
             return {}
-        found = self.usage.drives
+        scene, found, uses = self.navigation.scene, self.usage.drives, self.usage.uses.items()
+        uses = [(name, use) for name, use in uses if not (use.moved or scene.by_name[name].lies_about)]
+        stands = {name: use.stand for name, use in uses if use.stand is not None}
         if found is None:
-            return find_drives(self.navigation.scene.room, self.headings, self._stands)
-        return {name: found[name] for name in self._stands}
+            return find_drives(scene.room, self.headings, stands)
+        return {name: found[name] for name in stands}
 
     @property
     def ways(self) -> Mapping[str, Sequence[tuple[float, ...]]]:
@@ -86,13 +86,6 @@ class AgentReport:
         wall = room.walls[room.doors[0].wall if room.doors else 0]
         return Pose(*place, 0.0, math.atan2(wall.normal[1], wall.normal[0])) if place else None
 
-    @cached_property
-    def _stands(self) -> Mapping[str, Point]:
-        """Where it stands to use things, no chair moved, by name."""
-        uses, asset = self.usage.uses.items(), self.navigation.scene.by_name
-        uses = [(name, use) for name, use in uses if not asset[name].lies_about]
-        return {name: use.stand for name, use in uses if use.stand is not None and not use.moved}
-
     @property
     def doors_reached(self) -> bool:
         """Whether it gets from the first door to every other one that it fits through and gets to in the empty room."""
@@ -111,7 +104,22 @@ class AgentReport:
     @cached_property
     def violations(self) -> tuple[str, ...]:
         """What this agent cannot do, in sentences with numbers and names."""
-        return agent_violations(self.navigation, self.usage, self.exempt, self.demands)
+        nav, name = self.navigation, self.agent.name
+        found = list(self.impossible)
+        wanted = [asset for asset in nav.unreached if asset not in exempt_from_reach(nav.scene, self.agent)]
+        if nav.main.is_empty:
+            found += [] if kept_out(nav.scene, self.agent) else [blocked_sentence(nav)]
+            found += [f"{name} reaches none of {', '.join(wanted)}."] if wanted else []
+        else:
+            if nav.walkable_ratio < self.demands.walkable_ratio:
+                parts = len(nav.free.geoms) - 1
+                cut_off = f"{parts} further {'part is' if parts == 1 else 'parts are'} cut off"
+                found.append(f"{name} can walk only {nav.walkable_ratio:.0%} of the free floor: {cut_off}.")
+            found += [shut_sentence(nav, door) for door in nav.shut_doors]
+            found += [unreached_sentence(nav, asset) for asset in wanted]
+        unused = (use for use in self.usage.uses.values() if not use.usable and use.asset not in self.exempt)
+        found += [f"{use.asset} cannot be used by {name}: {use.reason}." for use in unused if nav.reached[use.asset]]
+        return tuple(found)
 
     def to_dict(self) -> dict[str, Any]:
         """Return figures, routes, passages and uses as plain data."""
@@ -152,7 +160,12 @@ class AgentReport:
                 for name, drive in self.drives.items()
             },
             "undriven": list(self.usage.undriven),
-            "turning_places": None if self.headings is None else _places(self.headings),
+            "turning_places": self.headings
+            and [
+                {"point": [point.x, point.y], "area": place.area}
+                for place in self.headings.turning.geoms
+                for point in [place.representative_point()]
+            ],
             "exempt": dict(self.exempt),
             "impossible": list(self.impossible),
             "remedies": list(self.remedies.sentences(self.agent)),
@@ -161,12 +174,12 @@ class AgentReport:
         }
 
 
+def judge_agent(scene: Scene, layout: Layout, agent: Agent, demands: Demands | None = None) -> AgentReport:
+    """Judge what one agent can get to and use; its sentences complain of what falls short of the demands."""
+    nav = navigation(scene, layout, agent)
+    return AgentReport(agent, nav, usage(scene, layout, agent, nav=nav), demands or Demands())
+
+
 def finite(value: float) -> float | None:
     """Return a figure for plain data: None where it does not exist."""
     return float(value) if math.isfinite(value) else None
-
-
-def _places(space: HeadingSpace) -> list[dict[str, Any]]:
-    """Return a point of each place where the centre can be while the body turns right round, and the place's area."""
-    points = [place.representative_point() for place in space.turning.geoms]
-    return [{"point": [p.x, p.y], "area": g.area} for p, g in zip(points, space.turning.geoms, strict=True)]

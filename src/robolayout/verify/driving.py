@@ -24,8 +24,7 @@ from scipy.sparse.csgraph import dijkstra
 
 from robolayout.scene import Agent, Point, Room
 from robolayout.verify._obstacles import Obstacles
-from robolayout.verify.drives import Drive, Pose
-from robolayout.verify.heading import free_of, grown, rectangle
+from robolayout.verify.heading import Drive, Pose, free_of, grown, rectangle
 
 QUARTER = ((1, 0), (2, 1), (1, 1), (1, 2))  # directions of the headings of a quarter turn, in cells
 DIRECTIONS = (*QUARTER, *((-y, x) for x, y in QUARTER), *((-x, -y) for x, y in QUARTER), *((y, -x) for x, y in QUARTER))
@@ -154,20 +153,14 @@ class Lattice:
 
     @cached_property
     def _found(self) -> tuple[NDArray[np.float64], NDArray[np.intp]]:
-        """Cost in metres from the start to every (heading, place), and the node before it; -1 where there is none."""
+        """Cost in metres from the start to every (heading, place), and the node before it; negative where there is none."""
         before, after, costs = self._edges()
         count = TURNS * len(self._places)
-        cost, previous = np.full(count, np.inf), np.full(count, -1, dtype=np.intp)
-        met = np.zeros(len(cost), dtype=bool)
-        met[before] = met[after] = True
-        start = self._start(met[: len(self._places)])
+        start = self._start(np.isin(np.arange(len(self._places)), (before, after)))
         if start is None:
-            return cost, previous
-        used, at = np.flatnonzero(met), np.cumsum(met) - 1
-        graph = csr_array((costs, (at[before], at[after])), shape=(len(used), len(used)))
-        spent, parents = dijkstra(graph, indices=int(at[start]), return_predecessors=True)
-        known = parents >= 0
-        cost[used], previous[used[known]] = spent, used[parents[known]]
+            return np.full(count, np.inf), np.full(count, -1, dtype=np.intp)
+        graph = csr_array((costs, (before, after)), shape=(count, count))
+        cost, previous = dijkstra(graph, indices=start, return_predecessors=True)
         return cost, previous
 
     def _edges(self) -> tuple[NDArray[np.intp], NDArray[np.intp], NDArray[np.float64]]:

@@ -4,14 +4,18 @@ For each heading of a lattice the free space of the rectangle is exact: the room
 (Minkowski sums of convex shapes). Headings are joined where the body can turn from one to the next: in place, where the
 shape that it sweeps is free; a body with a turning circle only where the whole circle is free. What is joined to the door,
 coming in along its normal, can be stood in. Here bodies slide sideways as well as ahead; `driving.py` finds the ways of those that cannot.
+
+A drive is a way with the heading all along it: taut within a piece of the free space of one heading, and with turns on spots where
+the shape that is swept is free. So the footprint swept along it meets nothing, and it proves that the body gets there.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
-from functools import cached_property, lru_cache, partial
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cache, cached_property, lru_cache, partial
+from itertools import pairwise
 
 import numpy as np
 import shapely
@@ -19,28 +23,64 @@ from numpy.typing import NDArray
 from shapely import MultiPolygon, Polygon
 from shapely.geometry.base import BaseGeometry
 
-from robolayout.scene import OPENINGS, ROUNDING, Agent, Layout, Room, Scene
+from robolayout.scene import OPENINGS, ROUNDING, Agent, Layout, Point, Room, Scene
 from robolayout.verify._boxes import boxes, room_polygon
 from robolayout.verify._obstacles import Obstacles, obstacles
 from robolayout.verify._space import all_free, components, disc_space, opened
 from robolayout.verify.limits import FINE
+from robolayout.verify.routes import Mesh, cheapest, nearest_place
 
+Region = tuple[float, BaseGeometry]  # a heading in radians (0 for a disc), and where the centre can be
 Node = tuple[int, int]  # a piece of free space: number of its heading, and its own among those of that heading
+
+
+Pose = tuple[float, float, float]  # x and y of a body's centre in metres and its heading in radians
+
+
+@dataclass(frozen=True)
+class Drive:
+    """A way of a body with its heading."""
+
+    asset: str  # what is used at its end
+    # x and y of the body's centre in metres and its heading in radians; it moves straight between two places and turns
+    # where two poses share one, or both on an arc
+    poses: tuple[Pose, ...]
+    reversals: int = 0  # how often it changes between driving ahead and back; 0 for a body that slides sideways
+
+    @cached_property
+    def length(self) -> float:
+        """Metres that the centre moves."""
+        return sum(math.dist(a[:2], b[:2]) for a, b in pairwise(self.poses))
+
+    @cached_property
+    def turned(self) -> float:
+        """Radians that the body turns in all."""
+        return sum(abs(b[2] - a[2]) for a, b in pairwise(self.poses))
 
 
 @dataclass(frozen=True, eq=False)
 class HeadingSpace:
     """Where a rectangular body can get to."""
 
-    headings: tuple[float, ...]  # radians, one per region; the first is the door's normal (no door: the first wall's)
-    # for each heading, where the centre can get to from the door; nowhere if the door is too narrow
-    standing: tuple[MultiPolygon, ...]
+    headings: tuple[float, ...]  # radians; the first is the door's normal (no door: the first wall's)
+    # the pieces of free space that its centre can get to from the door; none if the door is too narrow
+    pieces: Mapping[Node, Polygon]
     turning: MultiPolygon  # where the body can get to and turn right round
-    # the pieces of `standing`, by (number of the heading, number among its free pieces)
-    pieces: Mapping[Node, Polygon] = field(default_factory=dict[Node, Polygon], repr=False)
     # pieces between which it can turn by one heading to the left, and where its centre may be meanwhile
-    links: tuple[tuple[Node, Node, Polygon], ...] = field(default=(), repr=False)
-    start: Node | None = None  # the piece that it comes into; None if there is none
+    links: tuple[tuple[Node, Node, Polygon], ...]
+    start: Node | None  # the piece that it comes into; None if there is none
+
+    @cached_property
+    def standing(self) -> tuple[MultiPolygon, ...]:
+        """For each heading, where the centre can get to from the door."""
+        parts = [[piece for (k, _), piece in self.pieces.items() if k == at] for at in range(len(self.headings))]
+        return tuple(map(MultiPolygon, parts))
+
+    @property
+    def regions(self) -> tuple[Region, ...]:
+        """The same with its headings, without those at which it gets nowhere."""
+        both = zip(self.headings, self.standing, strict=True)
+        return tuple((heading, region) for heading, region in both if not region.is_empty)
 
 
 def heading_space(scene: Scene, layout: Layout, agent: Agent) -> HeadingSpace:
@@ -56,8 +96,11 @@ class Headings:
         wall, self._step = room.walls[room.doors[0].wall if room.doors else 0], math.pi / FINE.headings
         first = math.atan2(wall.normal[1], wall.normal[0])
         self.headings = tuple(first + self._step * k for k in range(FINE.headings))
-        self._free: dict[int, list[Polygon]] = {}
-        self._opened: dict[frozenset[int], tuple[tuple[int, Polygon], ...]] = {}
+        self._pieces, self.opened = cache(self._free), cache(self._beyond)
+
+    def _free(self, number: int) -> list[Polygon]:
+        """Return the pieces of the free space of one heading."""
+        return convex_places(self._room, self._blocking.shapes, rectangle(self._agent, self.headings[number]))
 
     @cached_property
     def space(self) -> HeadingSpace:
@@ -65,76 +108,87 @@ class Headings:
         return self._joined(range(FINE.headings))
 
     @cached_property
-    def surely(self) -> tuple[MultiPolygon, ...]:
-        """Parts of where it can get to that take little time to find, one region per heading."""
+    def surely(self) -> tuple[Region, ...]:
+        """Parts of where it can get to that take little time to find."""
         if not self._room.doors:
             return ()
         two = self._agent.turning_diameter is not None
-        return self._joined((0, FINE.headings // 2) if two else (0,)).standing
+        return self._joined((0, FINE.headings // 2) if two else (0,)).regions
 
     @cached_property
     def at_most(self) -> BaseGeometry:
         """A region that takes little time to find and holds all of where the body gets to: a small disc's free space."""
         least = min(self._agent.length or 0.0, self._agent.width or 0.0) / 2
-        return all_free(self._room, self._blocking, least * math.cos(math.pi / 64))
+        found = all_free(self._room, self._blocking, least * math.cos(math.pi / 64))
+        shapely.prepare(found)
+        return found
 
-    def opened(self, rows: frozenset[int]) -> tuple[tuple[int, Polygon], ...]:
+    def _beyond(self, rows: frozenset[int]) -> tuple[Region, ...]:
         """Return what the body gets to beyond that, sliding in without a turn, once some assets are moved away; by heading."""
-        if rows not in self._opened:
-            size = self._agent.circumradius
-            found: list[tuple[int, Polygon]] = []
-            for k, heading in enumerate(self.headings):
-                body = rectangle(self._agent, heading)
-                spaces = (_empty(self._room, _key(body)), MultiPolygon(self._pieces(k)), self.space.standing[k])
-                parts = opened(self._blocking, rows, spaces, partial(_larger, body), size)
-                found += [(k, part) for part in parts]
-            self._opened[rows] = tuple(found)
-        return self._opened[rows]
+        found: list[Region] = []
+        for k, heading in enumerate(self.headings):
+            body = rectangle(self._agent, heading)
+            spaces = (_empty(self._room, _key(body)), MultiPolygon(self._pieces(k)), self.space.standing[k])
+            parts = opened(self._blocking, rows, spaces, partial(_larger, body), self._agent.circumradius)
+            found += [(heading, part) for part in parts]
+        return tuple(found)
 
     def _joined(self, numbers: Sequence[int]) -> HeadingSpace:
         """Return where the body gets to with these headings alone."""
-        room, agent, shapes = self._room, self._agent, self._blocking.shapes
-        free = [self._pieces(k) if k in numbers else [] for k in range(FINE.headings)]
-        joined = _Joined(free)
         pairs = [(k, numbers[(i + 1) % len(numbers)]) for i, k in enumerate(numbers)] if len(numbers) > 1 else []
-        for place in self._turning if pairs else ():
-            for before, after in pairs:
-                joined.join(before, after, place)
-        if agent.turning_diameter is None:
-            for before, after in pairs:
-                for place in convex_places(room, shapes, _swept(agent, self.headings[before], self._step)):
-                    joined.join(before, after, place)
-        start = self._start(joined)
-        group = joined.group(start)
+        around = self._turning if pairs else ()
+        turns = [(*pair, place) for place in around for pair in pairs]
+        if self._agent.turning_diameter is None:
+            turns += [(*pair, place) for pair in pairs for place in self._swept(self.headings[pair[0]])]
+        ends = [(self._holding(before, place), self._holding(after, place), place) for before, after, place in turns]
+        links = [(a, b, place) for a, b, place in ends if a is not None and b is not None]
+        pieces = {(k, i): piece for k in numbers for i, piece in enumerate(self._pieces(k))}
+        start = self._start(pieces, links)
+        group = set[Node]() if start is None else _group(links, start)
         return HeadingSpace(
             headings=self.headings,
-            standing=tuple(
-                MultiPolygon([p for i, p in enumerate(free[k]) if (k, i) in group]) for k in range(FINE.headings)
-            ),
-            turning=MultiPolygon([place for place in self._turning if joined.node(0, place) in group] if pairs else []),
-            pieces={(k, i): free[k][i] for k, i in sorted(group)},
-            links=tuple(link for link in joined.links if link[0] in group),
+            pieces={node: pieces[node] for node in sorted(group)},
+            turning=MultiPolygon([place for place in around if self._holding(0, place) in group]),
+            links=tuple(link for link in links if link[0] in group),
             start=start,
         )
 
-    def _start(self, joined: _Joined) -> Node | None:
-        room, agent = self._room, self._agent
-        if room.doors and (agent.width or 0.0) > room.doors[0].width + ROUNDING:
-            return None
-        return joined.entry(room, max(OPENINGS.landing_depth, agent.length or 0.0))
+    def _holding(self, number: int, place: BaseGeometry) -> Node | None:
+        """Return the piece of a heading that holds a place."""
+        point = place.representative_point()
+        return next(((number, i) for i, piece in enumerate(self._pieces(number)) if piece.intersects(point)), None)
 
-    def _pieces(self, number: int) -> list[Polygon]:
-        """Return the pieces of the free space of one heading."""
-        if number not in self._free:
-            body = rectangle(self._agent, self.headings[number])
-            self._free[number] = convex_places(self._room, self._blocking.shapes, body)
-        return self._free[number]
+    def _start(self, pieces: Mapping[Node, Polygon], links: Sequence[tuple[Node, Node, Polygon]]) -> Node | None:
+        """Return the piece in which the body comes in by the first door, heading along its normal; without one, of the most floor."""
+        room, agent = self._room, self._agent
+        if not room.doors:
+            area = {node: math.fsum(pieces[other].area for other in _group(links, node)) for node in pieces}
+            return max(pieces, key=lambda node: area[node], default=None)
+        if (agent.width or 0.0) > room.doors[0].width + ROUNDING:
+            return None
+        landing = Polygon(room.landing(room.doors[0], max(OPENINGS.landing_depth, agent.length or 0.0)))
+        shared = [piece.intersection(landing).area for piece in self._pieces(0)]
+        return (0, int(np.argmax(shared))) if shared and max(shared) > 0 else None
 
     @cached_property
     def _turning(self) -> NDArray[np.object_]:
         """Return the places where the body can turn right round."""
         circle = max(self._agent.circumradius, (self._agent.turning_diameter or 0.0) / 2)
         return components(disc_space(self._room, self._blocking, circle).free)
+
+    def _swept(self, heading: float) -> list[Polygon]:
+        """Return the places where the body can turn from a heading to the next, within a convex shape that holds it meanwhile."""
+        corners = [rectangle(self._agent, heading + part * self._step) for part in (0.0, 0.5, 1.0)]
+        swept = np.concatenate(corners) / math.cos(self._step / 4)
+        return convex_places(self._room, self._blocking.shapes, swept)
+
+
+def _group(links: Sequence[tuple[Node, Node, Polygon]], start: Node) -> set[Node]:
+    """Return all that is joined to a piece, itself among it."""
+    found = {start}
+    while further := {node for a, b, _ in links if (a in found) != (b in found) for node in (a, b)}:
+        found |= further
+    return found
 
 
 def rectangle(agent: Agent, heading: float, more: float = 0.0) -> NDArray[np.float64]:
@@ -149,12 +203,6 @@ def grown(shapes: NDArray[np.float64], body: NDArray[np.float64]) -> NDArray[np.
     """Return where the reference point of a convex body (m, 2) is while it meets convex shapes (n, corners, 2)."""
     sums = (shapes[:, :, None, :] - body[None, None, :, :]).reshape(len(shapes), shapes.shape[1] * len(body), 2)
     return np.asarray(shapely.convex_hull(shapely.multipoints(sums)), dtype=object)
-
-
-def _swept(agent: Agent, heading: float, step: float) -> NDArray[np.float64]:
-    """Return corners of a convex shape that holds the body at every heading between this one and the next."""
-    corners = np.concatenate([rectangle(agent, heading + part * step) for part in (0.0, 0.5, 1.0)])
-    return corners / math.cos(step / 4)
 
 
 def convex_places(room: Room, shapes: NDArray[np.object_], body: NDArray[np.float64]) -> list[Polygon]:
@@ -186,42 +234,75 @@ def _empty(room: Room, body: tuple[tuple[float, ...], ...]) -> BaseGeometry:
     return room_polygon(room).difference(shapely.union_all(grown(walls, np.array(body))))
 
 
-class _Joined:
-    """Pieces of free space, by (heading, index), and which of them the body can change between."""
+def find_drives(room: Room, space: HeadingSpace, stands: Mapping[str, Point]) -> dict[str, Drive]:
+    """Return a drive from the door to each of these places to stand; none where the body does not get there."""
+    if space.start is None:
+        return {}
+    planner = _Planner(room, space, space.start)
+    found = {name: planner.drive(name, stand) for name, stand in stands.items()}
+    return {name: drive for name, drive in found.items() if drive is not None}
 
-    def __init__(self, free: Sequence[Sequence[Polygon]]) -> None:
-        self._free = free
-        self._leader = {(k, i): (k, i) for k, pieces in enumerate(free) for i in range(len(pieces))}
-        self.links: list[tuple[Node, Node, Polygon]] = []
 
-    def node(self, heading: int, place: BaseGeometry) -> Node | None:
-        """Return the piece of a heading that holds a place."""
-        point = place.representative_point()
-        return next(((heading, i) for i, piece in enumerate(self._free[heading]) if piece.intersects(point)), None)
+def entry(room: Room, piece: Polygon) -> Point:
+    """Return the place in a piece that is nearest to the first door; without one, to the middle of the piece."""
+    if not room.doors:
+        x, y = piece.representative_point().coords[0]
+        return (float(x), float(y))
+    door = room.doors[0]
+    return nearest_place(piece, shapely.Point(room.walls[door.wall].point(door.center)))
 
-    def join(self, before: int, after: int, place: Polygon) -> None:
-        """Join the pieces of two headings that hold a place where the body can turn from one to the other."""
-        a, b = self.node(before, place), self.node(after, place)
-        if a is not None and b is not None:
-            self._leader[self._root(b)] = self._root(a)
-            self.links.append((a, b, place))
 
-    def group(self, start: Node | None) -> set[Node]:
-        """Return everything joined to a piece."""
-        return set() if start is None else {node for node in self._leader if self._root(node) == self._root(start)}
+class _Planner:
+    """The cheapest ways over pieces and turns from a start, found once for all places."""
 
-    def entry(self, room: Room, depth: float) -> Node | None:
-        """Return the piece in which a body comes in by the first door, heading along its normal."""
-        if not room.doors:
-            return max(self._leader, key=self._area, default=None)
-        landing = Polygon(room.landing(room.doors[0], depth))
-        shared = [piece.intersection(landing).area for piece in self._free[0]]
-        return (0, int(np.argmax(shared))) if shared and max(shared) > 0 else None
+    def __init__(self, room: Room, space: HeadingSpace, source: Node) -> None:
+        self._space, self._mesh = space, cache(Mesh)
+        links = [link for a, b, place in space.links for link in ((a, b, place, 1), (b, a, place, -1))]
 
-    def _area(self, node: Node) -> float:
-        return sum(self._free[k][i].area for k, i in self.group(node))
+        def turns(node: Node, at: Point) -> Iterator[tuple[Node, Point, int]]:
+            return ((other, _nearest(place, at), turn) for here, other, place, turn in links if here == node)
 
-    def _root(self, node: Node) -> Node:
-        while self._leader[node] != node:
-            node = self._leader[node]
-        return node
+        self._tree = cheapest(source, entry(room, space.pieces[source]), turns, FINE.turn)
+
+    def drive(self, name: str, stand: Point) -> Drive | None:
+        """Return the drive to a place to stand, in the heading with the fewest turns."""
+        spot = shapely.Point(stand)
+        pieces = self._space.pieces.items()
+        near = [node for node, piece in pieces if node in self._tree.cost and piece.distance(spot) < 1e-6]
+        if not near:
+            return None
+        chains = [self._chain(node) for node in near]
+        chain = min(chains, key=lambda c: (len(c), sum(math.dist(a[1], b[1]) for a, b in pairwise(c))))
+        heading, at = self._space.headings[chain[0][0][0]], chain[0][1]
+        poses = [(*at, heading)]
+        for (node, _, _), (_, goal, turn) in pairwise(chain):
+            poses += [(*point, heading) for point in self._way(node, poses[-1][:2], goal)]
+            heading += turn * math.pi / FINE.headings
+            poses.append((*poses[-1][:2], heading))
+        poses += [(*point, heading) for point in self._way(chain[-1][0], poses[-1][:2], stand)]
+        return Drive(name, tuple(pose for pose, before in zip(poses, [None, *poses], strict=False) if pose != before))
+
+    def _chain(self, node: Node) -> list[tuple[Node, Point, int]]:
+        """Return the pieces from the start to this one, each with the spot where it is entered and how it turns there."""
+        spot = self._tree.cost[node][1]
+        if node not in self._tree.before:
+            return [(node, spot, 0)]
+        before, turn = self._tree.before[node]
+        return [*self._chain(before), (node, spot, turn)]
+
+    def _way(self, node: Node, start: Point, goal: Point) -> tuple[Point, ...]:
+        """Return the taut way within a piece, without its start."""
+        if math.dist(start, goal) < 1e-9:
+            return ()
+        piece = self._space.pieces[node]
+        if shapely.covers(piece.buffer(1e-9), shapely.LineString((start, goal))):
+            return (goal,)
+        mesh = self._mesh(piece)
+        points = mesh.route(mesh.search(start), shapely.Point(goal).buffer(FINE.inside))
+        return (*points[1:], goal)
+
+
+def _nearest(place: Polygon, point: Point) -> Point:
+    """Return the spot in a place, a little inside its edge, that is nearest to a point."""
+    inner = place.buffer(-FINE.inside)
+    return nearest_place(place if inner.is_empty else inner, shapely.Point(point))

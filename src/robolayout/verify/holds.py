@@ -20,9 +20,8 @@ from shapely.geometry.base import BaseGeometry
 
 from robolayout.assets import Joint, parts, turned
 from robolayout.scene import Agent, Asset, Hold, Point
-from robolayout.verify._boxes import Boxes, Place, in_plan, out_of_room
+from robolayout.verify._boxes import Boxes, in_plan, out_of_room
 from robolayout.verify._space import areas
-from robolayout.verify.drives import Pose
 from robolayout.verify.heading import grown, rectangle
 from robolayout.verify.limits import FINE
 
@@ -83,18 +82,16 @@ def find_hold(found: Boxes, agent: Agent, row: int, joint: Joint, reach: float, 
         turn = round(math.remainder(heading, math.pi), 9)  # a rectangle is the same half a turn later
         asked = _opening(asset, joint, round(place[2], 6), agent, turn, reach)
         still = areas(region & asked.still)
-        moved = tuple(dict.fromkeys(chairs + aside))
         if not still.is_empty:
-            x, y = shapely.get_coordinates(shapely.maximum_inscribed_circle(still))[0].tolist()
-            return Hold(asset.name, joint.name, _in_room([(x, y, heading)], place), moved)
-        if not walk.poses and (places := _walk(region, asked)):
-            walk = Hold(asset.name, joint.name, _in_room([(x, y, heading) for x, y in places], place), moved)
+            places = shapely.get_coordinates(shapely.maximum_inscribed_circle(still))[:1]
+        else:
+            places = () if walk.poses else _walk(region, asked)
+        if len(places):
+            poses = tuple((*in_plan(np.array(at), place).tolist(), heading + place[3]) for at in places)
+            walk = Hold(asset.name, joint.name, poses, tuple(dict.fromkeys(chairs + aside)))
+        if not still.is_empty:
+            break
     return walk
-
-
-def _in_room(poses: Iterable[Pose], place: Place) -> tuple[Pose, ...]:
-    """Return poses of an asset's frame in the room."""
-    return tuple((*in_plan(np.array([x, y]), place).tolist(), heading + place[3]) for x, y, heading in poses)
 
 
 @lru_cache(maxsize=4096)

@@ -3,20 +3,20 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
+
+import numpy as np
 
 from robolayout._text import TOLD
 from robolayout.scene import Agent, Layout, Pose, Scene
-from robolayout.verify._boxes import boxes
+from robolayout.verify._boxes import boxes, in_plan
+from robolayout.verify.agent_report import judge_agent
 from robolayout.verify.limits import JUDGE
-from robolayout.verify.navigation import navigation
 from robolayout.verify.physics import physics
-from robolayout.verify.proofs import exempt_from_reach, exempt_from_use
-from robolayout.verify.use import usage
 
 if TYPE_CHECKING:
-    from robolayout.program import Program
+    from robolayout.program import Guess, Program
 
 
 @dataclass(frozen=True)
@@ -44,44 +44,37 @@ class Move:
 
 def moves(scene: Scene, layout: Layout, program: Program | None, agents: tuple[Agent, ...]) -> tuple[Move, ...]:
     """Return what was moved from a program's guess, the farthest first."""
-    if program is None or not (found := [move for move in _off(layout, program) if move.asset in scene.by_name]):
+    guesses = {} if program is None else {name: program.guesses[name] for name in program.guesses if name in layout}
+    off = {name: _off(layout[name], guess) for name, guess in guesses.items() if name in scene.by_name}
+    off = {name: far for name, far in off.items() if far[0] > JUDGE.still or far[1] > JUDGE.straight}
+    if program is None or not off:
         return ()
     now = set(_wrong(scene, layout, program, agents))
-    told: list[Move] = []
-    for move in found:
-        there = _wrong(scene, _back(scene, layout, program, move.asset), program, agents)
-        told.append(replace(move, why=tuple(text for text in there if text not in now)))
+    there = {name: _wrong(scene, _back(scene, layout, name, guesses[name]), program, agents) for name in off}
+    told = [Move(name, *far, tuple(text for text in there[name] if text not in now)) for name, far in off.items()]
     return tuple(sorted(told, key=lambda move: (-move.metres, -move.degrees, move.asset)))
 
 
-def _off(layout: Layout, program: Program) -> list[Move]:
-    """Return what is not where the program put it, without reasons."""
-    found: list[Move] = []
-    for name, guess in program.guesses.items():
-        if guess.position is None or name not in layout:
-            continue
-        pose = layout[name]
-        metres = math.dist((pose.x, pose.y), guess.position[:2])
-        degrees = 0.0 if guess.yaw is None else abs(math.degrees(math.remainder(pose.yaw - guess.yaw, math.tau)))
-        if metres > JUDGE.still or degrees > JUDGE.straight:
-            found.append(Move(name, metres, degrees, ()))
-    return found
+def _off(pose: Pose, guess: Guess) -> tuple[float, float]:
+    """Return how many metres and degrees a thing is from where the program put it, if it did."""
+    if guess.position is None:
+        return 0.0, 0.0
+    turned = 0.0 if guess.yaw is None else math.remainder(pose.yaw - guess.yaw, math.tau)
+    return math.dist((pose.x, pose.y), guess.position[:2]), abs(math.degrees(turned))
 
 
-def _back(scene: Scene, layout: Layout, program: Program, name: str) -> Layout:
+def _back(scene: Scene, layout: Layout, name: str, guess: Guess) -> Layout:
     """Return the layout with one thing where the program put it, and what stands on it where it then is."""
-    guess, here = program.guesses[name], layout[name]
+    here, found = layout[name], boxes(scene, layout)
     assert guess.position is not None
     there = Pose(*guess.position[:2], here.z, here.yaw if guess.yaw is None else guess.yaw)
     turn = there.yaw - here.yaw
-    c, s = math.cos(turn), math.sin(turn)
     poses: dict[str, Pose] = {**layout, name: there}
-    found = boxes(scene, layout)
-    chains = {other: {found.names[row] for row in found.chain(at)} for at, other in enumerate(found.names)}
-    for other in (other for other, chain in chains.items() if other != name and name in chain):
-        dx, dy = layout[other].x - here.x, layout[other].y - here.y
-        x, y = there.x + c * dx - s * dy, there.y + s * dx + c * dy
-        poses[other] = Pose(x, y, layout[other].z, layout[other].yaw + turn)
+    for row, other in enumerate(found.names):
+        if other != name and found.names.index(name) in found.chain(row):
+            pose = layout[other]
+            x, y = in_plan(np.array([pose.x - here.x, pose.y - here.y]), (there.x, there.y, 0.0, turn)).tolist()
+            poses[other] = Pose(x, y, pose.z, pose.yaw + turn)
     return Layout(poses)
 
 
@@ -89,12 +82,10 @@ def _wrong(scene: Scene, layout: Layout, program: Program, agents: tuple[Agent, 
     """Return what is wrong in a layout: physics, what bodies cannot reach or use, statements that do not hold."""
     found = list(physics(scene, layout).reasons)
     for agent in agents:
-        nav = navigation(scene, layout, agent)
-        used = usage(scene, layout, agent, nav=nav).usable
-        reach, use = exempt_from_reach(scene, agent), exempt_from_use(scene, agent)
-        found += [f"{agent.name} cannot reach {name}" for name, ok in nav.reached.items() if not (ok or name in reach)]
-        unused = (name for name, ok in used.items() if nav.reached[name] and not (ok or name in use))
-        found += [f"{agent.name} cannot use {name}" for name in unused]
+        body = judge_agent(scene, layout, agent)
+        reached = body.navigation.reached
+        short = sorted(body.short, key=lambda name: reached[name])
+        found += [f"{agent.name} cannot {'use' if reached[name] else 'reach'} {name}" for name in short]
     for statement in program.statements:
         relation = statement.relation
         if {*relation.asset_names()} <= {*layout} and not relation.check(scene, layout).met:

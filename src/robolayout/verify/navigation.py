@@ -17,6 +17,7 @@ import shapely
 from shapely import MultiPolygon, Polygon
 from shapely.geometry.base import BaseGeometry
 
+from robolayout._text import TOLD
 from robolayout.scene import ROUNDING, Agent, Layout, Point, Room, Scene
 from robolayout.verify._boxes import Boxes, boxes, share
 from robolayout.verify._obstacles import Obstacles, obstacles
@@ -30,7 +31,7 @@ from robolayout.verify._space import (
     standing_distances,
 )  # fmt: skip
 from robolayout.verify.limits import JUDGE
-from robolayout.verify.passages import Passage, find_door_passages, find_passages
+from robolayout.verify.passages import Passage, Passages
 from robolayout.verify.routes import Route, entry_point, find_routes
 
 
@@ -70,8 +71,8 @@ class Navigation:
 
     @property
     def walkable_ratio(self) -> float:
-        """Area of the main component over all free area."""
-        return self.space.walkable_ratio
+        """Area of the main component over all free area; 0 if there is none."""
+        return float(self.main.area / self.free.area) if self.free.area > 0 else 0.0
 
     @cached_property
     def reachable_share(self) -> float:
@@ -147,14 +148,18 @@ class Navigation:
         return find_routes(self.scene.room, self.space, goals)
 
     @cached_property
+    def _search(self) -> Passages:
+        return Passages(self.scene.room, self.boxes, self.blocking, self.agent)
+
+    @cached_property
     def passages(self) -> Mapping[str, Passage]:
         """The narrowest passage on the widest way to every placed asset, reached or not."""
-        return find_passages(self.scene, self.layout, self.agent, self._wanted)
+        return self._search.to_assets(self._wanted)
 
     @cached_property
     def door_passages(self) -> Mapping[int, Passage]:
         """The narrowest passage on the widest way to every shut door."""
-        return find_door_passages(self.scene, self.layout, self.agent, [door.number for door in self.shut_doors])
+        return self._search.to_doors([door.number for door in self.shut_doors])
 
     @cached_property
     def _wanted(self) -> tuple[str, ...]:
@@ -194,3 +199,46 @@ def misfits(room: Room, number: int, agent: Agent) -> Iterator[str]:
         yield f"Door {number} is {door.width:.2f} m wide, {agent.name} needs {across:.2f} m: it cannot come in."
     if door.height < agent.height - ROUNDING:
         yield f"Door {number} is {door.height:.2f} m high, {agent.name} is {agent.height:.2f} m: it cannot come in."
+
+
+def blocked_sentence(nav: Navigation) -> str:
+    """Return what keeps a body out of a room that it could enter if it were empty."""
+    zone, wide = nav.space.door, 2 * nav.agent.radius
+    if zone is None:
+        return f"{nav.agent.name} (a disc of {wide:.2f} m) has no place to stand: the furniture leaves none."
+    near = nav.blocking.rows[shapely.distance(nav.blocking.shapes, zone) < nav.agent.radius]
+    names = " and ".join(nav.boxes.names[row] for row in np.unique(near)[: TOLD.named])
+    return f"{nav.agent.name} (a disc of {wide:.2f} m) cannot come in: the landing of door 0 is blocked by {names}."
+
+
+def shut_sentence(nav: Navigation, door: ShutDoor) -> str:
+    """Return which door is cut off, by what, and what lies beyond it."""
+    agent, passage, needed = nav.agent.name, nav.door_passages[door.number], 2 * nav.agent.radius
+    wall = nav.scene.room.doors[door.number].wall
+    none = "no way to it, not even for a disc of 1 cm"
+    width = none if passage.cut_off else f"narrowest passage {passage.width:.2f} m"
+    between = passage.sides or " and ".join(nav.shutting(door)[: TOLD.named])
+    found = f"Door {door.number} in wall {wall} cannot be reached by {agent}: {width}, needs {needed:.2f} m"
+    found += f", between {between}." if between else "."
+    if door.beyond.is_empty:
+        return f"{found} Its landing leaves {agent} no place to stand."
+    area = door.beyond.buffer(nav.agent.radius).area
+    only = ", ".join(nav.only_behind(door))
+    return f"{found} {area:.1f} m2 of floor{f' and {only}' if only else ''} can then be reached only from there."
+
+
+def unreached_sentence(nav: Navigation, name: str) -> str:
+    """Return why an asset is not reached: a passage that is too narrow, or an arm that is too short."""
+    agent, passage = nav.agent, nav.passages[name]
+    needed = 2 * agent.radius
+    if passage.cut_off:
+        return f"{name} cannot be reached by {agent.name}: there is no way to it, not even for a disc of 1 cm."
+    if passage.between and passage.width < needed:
+        return (
+            f"{name} cannot be reached by {agent.name}: narrowest passage {passage.width:.2f} m, "
+            f"needs {needed:.2f} m, between {passage.sides}."
+        )
+    return (
+        f"{name} is out of reach of {agent.name}: {nav.distances[name]:.2f} m from the nearest place to stand, "
+        f"reach is {agent.reach:.2f} m."
+    )

@@ -10,16 +10,16 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from functools import partial
+from functools import cache, partial
 
 import numpy as np
 import shapely
 from shapely import LineString, Polygon
 
-from robolayout.scene import ROUNDING, Agent, Layout, Point, Scene
-from robolayout.verify._boxes import boxes
-from robolayout.verify._obstacles import obstacles
-from robolayout.verify._space import Space, disc_space, further_doors, plan_distances, reached_rows
+from robolayout.scene import ROUNDING, Agent, Point, Room
+from robolayout.verify._boxes import Boxes
+from robolayout.verify._obstacles import Obstacles
+from robolayout.verify._space import Space, disc_space, further_doors, reached_by
 from robolayout.verify.limits import FINE, JUDGE
 from robolayout.verify.routes import find_routes
 
@@ -55,24 +55,6 @@ class Passage:
         return f"{self.width:.2f} m" + (" or more" if self.width >= JUDGE.wide - 1e-9 else "")
 
 
-def find_passages(scene: Scene, layout: Layout, agent: Agent, names: Sequence[str]) -> dict[str, Passage]:
-    """Return the narrowest passage on the way to each of these placed assets."""
-    search, found = _Search(scene, layout, agent), boxes(scene, layout)
-    rows = {name: found.names.index(name) for name in names}
-    feet = {name: found.footprints[row] for name, row in rows.items()}
-    passages = search.passages({name: (feet[name], partial(search.reached, row)) for name, row in rows.items()})
-    return {n: replace(p, cut_off=search.stands_near(feet[n])) if p.width == 0 else p for n, p in passages.items()}
-
-
-def find_door_passages(scene: Scene, layout: Layout, agent: Agent, numbers: Sequence[int]) -> dict[int, Passage]:
-    """Return the narrowest passage on the way from the first door to the landing of each of these."""
-    search, room = _Search(scene, layout, agent), scene.room
-    thresholds = {number: Polygon(room.landing(room.doors[number], FINE.step)) for number in numbers}
-    goals = {f"door {number}": (goal, partial(search.enters, number)) for number, goal in thresholds.items()}
-    found = search.passages(goals)
-    return {n: replace(found[f"door {n}"], cut_off=found[f"door {n}"].width == 0) for n in numbers}
-
-
 def largest(holds: Callable[[int], bool], top: int) -> int:
     """Return the largest step in 1..top for which a falling property holds; 0 if none."""
     low, high = 0, top + 1
@@ -82,15 +64,27 @@ def largest(holds: Callable[[int], bool], top: int) -> int:
     return low
 
 
-class _Search:
-    """Free spaces of one layout by radius, computed once each."""
+class Passages:
+    """The narrowest passages of one layout; the free space of each radius is worked out once."""
 
-    def __init__(self, scene: Scene, layout: Layout, agent: Agent) -> None:
-        self._scene, self._found, self._agent = scene, boxes(scene, layout), agent
-        self._obstacles = obstacles(self._found, agent)
-        self._spaces: dict[int, tuple[Space, list[bool]]] = {}
+    def __init__(self, room: Room, found: Boxes, blocking: Obstacles, agent: Agent) -> None:
+        self._room, self._found, self._obstacles, self._agent = room, found, blocking, agent
+        self._space = cache(self._free)
 
-    def passages(self, goals: Mapping[str, tuple[Polygon, Callable[[int], bool]]]) -> dict[str, Passage]:
+    def to_assets(self, names: Sequence[str]) -> dict[str, Passage]:
+        """Return the narrowest passage on the way to each of these placed assets."""
+        rows = {name: self._found.names.index(name) for name in names}
+        feet = {name: self._found.footprints[row] for name, row in rows.items()}
+        found = self._to({name: (feet[name], partial(self._reached, row)) for name, row in rows.items()})
+        return {n: replace(p, cut_off=self._stands_near(feet[n])) if p.width == 0 else p for n, p in found.items()}
+
+    def to_doors(self, numbers: Sequence[int]) -> dict[int, Passage]:
+        """Return the narrowest passage on the way from the first door to the landing of each of these."""
+        thresholds = {n: Polygon(self._room.landing(self._room.doors[n], FINE.step)) for n in numbers}
+        found = self._to({f"door {n}": (goal, partial(self._enters, n)) for n, goal in thresholds.items()})
+        return {n: replace(p, cut_off=p.width == 0) for n, p in zip(numbers, found.values(), strict=True)}
+
+    def _to(self, goals: Mapping[str, tuple[Polygon, Callable[[int], bool]]]) -> dict[str, Passage]:
         """Return the narrowest passage to each goal: its outline, and whether a disc of so many steps gets there."""
         radius = self._agent.radius
         top = max(math.ceil(JUDGE.wide / 2 / FINE.step), math.floor(radius / FINE.step) + 1)
@@ -99,40 +93,36 @@ class _Search:
         located = min(top, math.ceil((radius + FINE.located / 2) / FINE.step))
         for step in sorted({step for step in widest.values() if 0 < step < located}):
             group = {name: goals[name][0] for name, found in widest.items() if found == step}
-            for name, place in self.necks(step, group).items():
-                between, ends = self.neighbours(place, step * FINE.step)
+            for name, place in self._necks(step, group).items():
+                between, ends = self._neighbours(place, step * FINE.step)
                 result[name] = replace(result[name], point=place, between=between, ends=ends)
         return result
 
-    def space(self, step: int) -> tuple[Space, list[bool]]:
+    def _free(self, step: int) -> tuple[Space, list[bool]]:
         """Return the free space of a disc of `step` lattice steps and what it reaches."""
-        if step not in self._spaces:
-            radius = step * FINE.step
-            space = disc_space(self._scene.room, self._obstacles, radius)
-            reach = replace(self._agent, radius=radius).reach
-            reached = reached_rows(self._found, plan_distances(self._found, space, reach), reach)
-            self._spaces[step] = (space, reached.tolist())
-        return self._spaces[step]
+        radius = step * FINE.step
+        space = disc_space(self._room, self._obstacles, radius)
+        return space, reached_by(self._found, space, replace(self._agent, radius=radius).reach).tolist()
 
-    def reached(self, row: int, step: int) -> bool:
-        return self.space(step)[1][row]
+    def _reached(self, row: int, step: int) -> bool:
+        return self._space(step)[1][row]
 
-    def enters(self, number: int, step: int) -> bool:
-        zone = further_doors(self._scene.room, step * FINE.step).get(number)
-        return zone is not None and self.space(step)[0].main.intersection(zone).area > JUDGE.sliver
+    def _enters(self, number: int, step: int) -> bool:
+        zone = further_doors(self._room, step * FINE.step).get(number)
+        return zone is not None and self._space(step)[0].main.intersection(zone).area > JUDGE.sliver
 
-    def stands_near(self, footprint: Polygon) -> bool:
+    def _stands_near(self, footprint: Polygon) -> bool:
         """Tell whether the smallest disc could stand within reach of an asset, wherever it came from."""
-        free = self.space(1)[0].free
+        free = self._space(1)[0].free
         reach = replace(self._agent, radius=FINE.step).reach
         return not free.is_empty and free.distance(footprint) <= reach + ROUNDING
 
-    def necks(self, step: int, goals: Mapping[str, Polygon]) -> dict[str, Point]:
+    def _necks(self, step: int, goals: Mapping[str, Polygon]) -> dict[str, Point]:
         """Return where the ways of the widest disc are cut when it grows by one step."""
-        space, grown = self.space(step)[0], self.space(step + 1)[0]
+        space, grown = self._space(step)[0], self._space(step + 1)[0]
         reopened = grown.free.buffer(1.5 * FINE.step)
         result: dict[str, Point] = {}
-        for name, route in find_routes(self._scene.room, space, goals).items():
+        for name, route in find_routes(self._room, space, goals).items():
             cut = shapely.get_parts(route.line.difference(reopened))
             cut = [part for part in cut if isinstance(part, LineString) and part.length > 0]
             if cut:
@@ -140,12 +130,12 @@ class _Search:
                 result[name] = (float(middle.x), float(middle.y))
         return result
 
-    def neighbours(self, place: Point, radius: float) -> tuple[tuple[str, ...], tuple[Point, ...]]:
+    def _neighbours(self, place: Point, radius: float) -> tuple[tuple[str, ...], tuple[Point, ...]]:
         """Return what touches a disc at a place, the nearest thing and the nearest one across from it, and where."""
         spot = shapely.Point(place)
-        names = [f"wall {wall.index}" for wall in self._scene.room.walls]
+        names = [f"wall {wall.index}" for wall in self._room.walls]
         names += [self._found.names[row] for row in self._obstacles.rows]
-        shapes = [LineString((wall.start, wall.end)) for wall in self._scene.room.walls]
+        shapes = [LineString((wall.start, wall.end)) for wall in self._room.walls]
         shapes += list(self._obstacles.shapes)
         feet = shapely.get_coordinates(shapely.shortest_line(spot, np.array(shapes, dtype=object)))[1::2]
         offsets = feet - np.array(place)

@@ -7,7 +7,7 @@ What stands on a thing lies on one of its surfaces with its centre of mass over 
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
 
@@ -85,52 +85,32 @@ class Physics:
 def physics(scene: Scene, layout: Layout) -> Physics:
     """Check a layout's physics; about 2 ms for 40 assets."""
     found = boxes(scene, layout)
-    meeting = _box_pairs(found)
-    pairs = collisions(found, meeting)
-    hit = {name for pair in pairs for name in (pair.a, pair.b)}
-    near = {row for pair in meeting for row in pair}
-    inside = _inside(scene, found)
-    held = _held(scene, found)
-    blocked = obstructions(scene, found)
-    there = list(zip(found.names, map(bool, found.placed), strict=True))
-    sentences = [f"{name} is not placed." for name, is_placed in there if not is_placed]
+    meeting = found.overlapping(np.flatnonzero(found.placed & ~found.flat), JUDGE.area, JUDGE.height + 1e-9)
+    hits = [pair for pair in meeting.tolist() if _collides(found, *pair)]
+    pairs = tuple(Collision(found.names[a], found.names[b], *_deepest(found.where(a), found.where(b))) for a, b in hits)
+    blocked, every = _obstructions(scene, found), np.arange(len(found.names))
+    inside, held = _inside(scene, found), _held(scene, found)
+    checks = {
+        "placed": found.placed,
+        "collision_free": found.placed & ~np.isin(every, hits),
+        "in_boundary": inside,
+        "supported": held,
+        "boxes_apart": found.placed & ~np.isin(every, meeting),
+    }
+    sentences = [f"{found.names[row]} is not placed." for row in np.flatnonzero(~found.placed)]
     sentences += [f"{c.a} and {c.b} overlap by {c.area:.3f} m2 in plan and {c.height:.2f} m in height." for c in pairs]
     sentences += [_outside_sentence(scene, found, int(row)) for row in np.flatnonzero(found.placed & ~inside)]
     sentences += [_floating_sentence(scene, found, int(row)) for row in np.flatnonzero(found.placed & ~held)]
     sentences += [f"{o.asset} takes {o.area:.2f} m2 of the landing of door {o.door}." for o in blocked]
-    return Physics(
-        placed=_verdicts(found, found.placed),
-        collision_free={name: is_placed and name not in hit for name, is_placed in there},
-        in_boundary=_verdicts(found, inside),
-        supported=_verdicts(found, held),
-        collisions=pairs,
-        boxes_apart={name: is_placed and row not in near for row, (name, is_placed) in enumerate(there)},
-        obstructions=blocked,
-        reasons=tuple(sentences),
-    )
+    verdicts = {name: dict(zip(found.names, flags.tolist(), strict=True)) for name, flags in checks.items()}
+    return Physics(collisions=pairs, obstructions=blocked, reasons=tuple(sentences), **verdicts)
 
 
-def collisions(found: Boxes, meeting: Sequence[tuple[int, int]]) -> tuple[Collision, ...]:
-    """Return which pairs, of those whose boxes meet, share more of plan and height by their prisms than allowed.
-
-    Rugs, and what lies in another thing, aside.
-    """
-    hits = ((pair, _deepest(*map(found.where, pair))) for pair in meeting)
-    return tuple(
-        Collision(found.names[a], found.names[b], *deepest)
-        for (a, b), deepest in hits
-        if deepest[0] > JUDGE.area and not (found.lies_in(a, b, JUDGE.height) or found.lies_in(b, a, JUDGE.height))
-    )
-
-
-def _box_pairs(found: Boxes) -> list[tuple[int, int]]:
-    """Return all pairs whose boxes share more plan and height than allowed; rugs aside."""
-    a, b = found.pairs(np.flatnonzero(found.placed & ~found.flat))
-    height = np.minimum(found.top[a], found.top[b]) - np.maximum(found.bottom[a], found.bottom[b])
-    tall = height > JUDGE.height + 1e-9
-    a, b = a[tall], b[tall]
-    hit = shared_area(found.footprints[a], found.footprints[b]) > JUDGE.area
-    return list(zip(a[hit].tolist(), b[hit].tolist(), strict=True))
+def _collides(found: Boxes, a: int, b: int) -> bool:
+    """Return whether two assets whose boxes meet share more of plan and height by their prisms than allowed, neither in the other."""
+    if _deepest(found.where(a), found.where(b))[0] <= JUDGE.area:
+        return False
+    return not (found.lies_in(a, b, JUDGE.height) or found.lies_in(b, a, JUDGE.height))
 
 
 @lru_cache(maxsize=4096)
@@ -147,18 +127,14 @@ def _deepest(a: tuple[Asset, Place], b: tuple[Asset, Place]) -> tuple[float, flo
     return (float(area[worst]), float(height[i[worst], j[worst]])) if worst >= 0 else (0.0, 0.0)
 
 
-def obstructions(scene: Scene, found: Boxes) -> tuple[Obstruction, ...]:
+def _obstructions(scene: Scene, found: Boxes) -> tuple[Obstruction, ...]:
     """Return what stands in door landings below the door height; rugs aside."""
     rows = np.flatnonzero(found.placed & ~found.flat & (found.bottom < OPENINGS.landing_height - 1e-9))
-    result: list[Obstruction] = []
-    for door, landing in enumerate(landings(scene.room)):
-        area = shared_area(found.footprints[rows], landing)
-        result += [
-            Obstruction(door, found.names[row], float(shared))
-            for row, shared in zip(rows, area, strict=True)
-            if shared > JUDGE.area
-        ]
-    return tuple(result)
+    area = shared_area(found.footprints[rows], landings(scene.room)[:, None])  # (doors, rows)
+    doors, which = np.nonzero(area > JUDGE.area)
+    return tuple(
+        Obstruction(d, found.names[rows[k]], float(area[d, k])) for d, k in zip(doors.tolist(), which, strict=True)
+    )
 
 
 def _inside(scene: Scene, found: Boxes) -> NDArray[np.bool_]:
@@ -187,10 +163,6 @@ def _held(scene: Scene, found: Boxes) -> NDArray[np.bool_]:
         held |= carried
 
 
-def _verdicts(found: Boxes, flags: NDArray[np.bool_]) -> dict[str, bool]:
-    return {name: bool(flag) for name, flag in zip(found.names, flags, strict=True)}
-
-
 def _outside_sentence(scene: Scene, found: Boxes, row: int) -> str:
     name, room = found.names[row], room_polygon(scene.room)
     if found.bottom[row] < -0.01:
@@ -217,7 +189,7 @@ def _floating_sentence(scene: Scene, found: Boxes, row: int) -> str:
     if contacts:
         return f"{name} is not supported: it stands on {under}, which nothing holds."
     below = np.flatnonzero(found.placed & (found.top <= found.bottom[row] + 1e-9))
-    under = below[shapely.intersects_xy(found.footprints[below], *found.centers[row])]
+    under = below[shapely.intersects_xy(found.footprints[below], *found.poses[row, :2])]
     best = under[np.argmax(found.top[under])] if len(under) else None
     base = "the floor at 0.00 m" if best is None else f"the top of {found.names[best]} at {found.top[best]:.2f} m"
     return f"{name} is not supported: its bottom is at {found.bottom[row]:.2f} m, {base}."

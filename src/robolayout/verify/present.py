@@ -29,12 +29,10 @@ RULES_ARE = "They stand beside the demands above and do not change them."  # wha
 
 def rule_rows(report: Report) -> list[list[str]]:
     """Return the table of named rules: rule (with its body where there are several), what it asks, what came out, source."""
-    rows: list[list[str]] = []
-    for result in report.rules:
-        rule, met = result.rule, "met" if result.met else "not met"
-        name = rule.name.replace("_", " ") + (f", {result.agent}" if len(report.agents) > 1 else "")
-        rows.append([name, rule.asks, result.measured.text, met, rule.origin])
-    return rows
+    several = len(report.agents) > 1
+    names = [r.rule.name.replace("_", " ") + (f", {r.agent}" if several else "") for r in report.rules]
+    told = [[r.rule.asks, r.measured.text, "met" if r.met else "not met", r.rule.origin] for r in report.rules]
+    return [[name, *cells] for name, cells in zip(names, told, strict=True)]
 
 
 def _told(report: Report) -> list[str]:

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import itertools
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import lru_cache
 
@@ -22,7 +22,7 @@ from robolayout.assets import prisms_of
 from robolayout.scene import ROUNDING, Agent, Asset, Layout, Opening, Pose, Room, Scene
 from robolayout.verify._boxes import landings, room_polygon
 from robolayout.verify._obstacles import NOTHING
-from robolayout.verify._space import disc_space, plan_distances, reached_rows
+from robolayout.verify._space import disc_space, reached_by
 from robolayout.verify.limits import FINE, JUDGE
 from robolayout.verify.navigation import Navigation, misfits
 from robolayout.verify.passages import largest
@@ -98,7 +98,7 @@ def exempt_from_use(scene: Scene, agent: Agent) -> dict[str, str]:
         if asset.size[2] < down_to - ROUNDING:
             ends = f"{asset.name} ends {asset.size[2]:.2f} m high"
             aside[asset.name] = f"{ends} and {agent.name} reaches down to {down_to:.2f} m"
-        elif why := _unusable_alone(asset, agent):
+        elif why := _reason_alone(replace(asset, name="it", description=""), replace(agent, turning_radius=None)):
             aside[asset.name] = f"{asset.name} cannot be used by {agent.name} in an empty room: {why}"
     return aside
 
@@ -111,12 +111,21 @@ def kept_out(scene: Scene, agent: Agent) -> tuple[str, ...]:
         high = f"The room is {room.wall_height:.2f} m high, {agent.name} is {agent.height:.2f} m"
         found.append(f"{high}: it cannot stand in it.")
     if floor.buffer(-radius).is_empty:
-        largest = 2 * float(shapely.maximum_inscribed_circle(floor, 1e-3).length)
-        fits = f"the largest disc that fits into the empty room is {largest:.2f} m wide"
+        wide = 2 * float(shapely.maximum_inscribed_circle(floor, 1e-3).length)
+        fits = f"the largest disc that fits into the empty room is {wide:.2f} m wide"
         found.append(f"{agent.name} needs {2 * radius:.2f} m; {fits}.")
-    elif not found:
-        found += _shut_out(scene, agent)
+    elif not found and not _enters(room, radius):
+        widest = 2e-3 * largest(lambda step: _enters(room, step * 1e-3), int(radius * 1e3))
+        found.append(
+            f"Even in the empty room {agent.name} cannot come in by door 0: the room leaves a disc of {widest:.2f} m the way "
+            f"in, {agent.name} needs {2 * radius:.2f} m."
+        )
     return tuple(found)
+
+
+def _enters(room: Room, radius: float) -> bool:
+    """Tell whether a disc comes in if the room is empty."""
+    return not disc_space(room, NOTHING, radius).main.is_empty
 
 
 def impossible(scene: Scene, agent: Agent) -> tuple[str, ...]:
@@ -124,13 +133,9 @@ def impossible(scene: Scene, agent: Agent) -> tuple[str, ...]:
     return (*kept_out(scene, agent), *overfull(scene))
 
 
-def _unusable_alone(asset: Asset, agent: Agent) -> str:
-    """Return why a body cannot use a thing that stands on the floor, with nothing around it; empty where it can."""
-    return _reason_alone(replace(asset, name="it", description=""), replace(agent, turning_radius=None))
-
-
 @lru_cache(maxsize=1024)
 def _reason_alone(asset: Asset, agent: Agent) -> str:
+    """Return why a body cannot use a thing that stands on the floor, with nothing around it; empty where it can."""
     half = max(asset.size[:2]) / 2 + 2 * agent.circumradius + agent.reach + FINE.spare
     door = Opening(0, half - agent.radius - 0.1, 2 * agent.radius + 0.2, agent.height + 0.1)
     room = Room(((0.0, 0.0), (2 * half, 0.0), (2 * half, 2 * half), (0.0, 2 * half)), agent.height + 1.0, (door,))
@@ -182,65 +187,40 @@ def _filled(asset: Asset) -> NDArray[np.float64]:
     return np.array(areas)[which.reshape(-1)]
 
 
-def _shut_out(scene: Scene, agent: Agent) -> list[str]:
-    """Return why a body that fits through the door does not come in, even if the room is empty."""
-
-    def enters(radius: float) -> bool:
-        return not disc_space(scene.room, NOTHING, radius).main.is_empty
-
-    if enters(agent.radius):
-        return []
-    widest = 2e-3 * largest(lambda step: enters(step * 1e-3), int(agent.radius * 1e3))
-    return [
-        f"Even in the empty room {agent.name} cannot come in by door 0: the room leaves a disc of {widest:.2f} m the way in, "
-        f"{agent.name} needs {2 * agent.radius:.2f} m."
-    ]
-
-
 def remedies(nav: Navigation) -> Remedies:
     """Return the smallest changes to this layout that would let an agent reach what it does not reach."""
     aside = exempt_from_reach(nav.scene, nav.agent)
-    trials = _Trials(nav)
     largest = min((p.width for name, p in nav.passages.items() if name not in aside), default=0.0)
-    if kept_out(nav.scene, nav.agent):
-        return Remedies({}, {}, largest, 2 * nav.agent.radius - largest)
-    wanted = [name for name in nav.unreached if name not in aside]
+    wanted = [] if kept_out(nav.scene, nav.agent) else [name for name in nav.unreached if name not in aside]
     narrow = [nav.passages[name] for name in wanted if len(set(nav.passages[name].between)) == 2]
     return Remedies(
-        removals={name: trials.removals(name) for name in wanted},
+        removals=_removals(nav, wanted),
         gaps={(a, b): 2 * nav.agent.radius - p.width for p in narrow for a, b in [sorted(p.between)]},
         largest_disc=largest,
         margin=2 * nav.agent.radius - largest,
     )
 
 
-class _Trials:
-    """What would be reached without this or that; each set of assets is tried once."""
+def _removals(nav: Navigation, wanted: Sequence[str]) -> dict[str, tuple[tuple[str, ...], ...]]:
+    """Return the smallest sets, of one or else of two, without which each of these is reached; each set is tried once."""
+    found, feet = nav.boxes, nav.boxes.footprints
+    every = sorted(set(nav.blocking.rows.tolist()))
+    below = [found.chain(row) for row in range(len(found.names))]
+    tried: dict[tuple[int, ...], NDArray[np.bool_]] = {}
 
-    def __init__(self, nav: Navigation) -> None:
-        self._nav, self._found = nav, nav.boxes
-        self._rows = [int(row) for row in sorted(set(nav.blocking.rows.tolist()))]
-        self._below = [nav.boxes.chain(row) for row in range(len(nav.boxes.names))]
-        self._tried: dict[tuple[int, ...], NDArray[np.bool_]] = {}
-
-    def removals(self, name: str) -> tuple[tuple[str, ...], ...]:
-        """Return the smallest sets, of one or else of two, without which an asset is reached."""
-        row, feet = self._found.names.index(name), self._found.footprints
-        rows = [other for other in self._rows if other not in self._below[row]]
-        near = sorted(sorted(rows, key=lambda other: feet[other].distance(feet[row]))[: FINE.neighbours])
-        for sets in (itertools.combinations(rows, 1), itertools.combinations(near, 2)):
-            helpful = [group for group in sets if self._reached(group, row)]
-            if helpful:
-                return tuple(tuple(self._found.names[other] for other in group) for group in helpful)
-        return ()
-
-    def _reached(self, removed: tuple[int, ...], row: int) -> bool:
+    def reached(removed: tuple[int, ...], row: int) -> bool:
         """Tell whether an asset is reached without some others; no once all trials are used up."""
-        if removed not in self._tried:
-            if len(self._tried) >= FINE.trials:
-                return False
-            kept = {other for other in self._rows if not self._below[other].intersection(removed)}
-            space = disc_space(self._nav.scene.room, self._nav.blocking.of(kept), self._nav.agent.radius)
-            reach = self._nav.agent.reach
-            self._tried[removed] = reached_rows(self._found, plan_distances(self._found, space, reach), reach)
-        return bool(self._tried[removed][row])
+        if removed not in tried and len(tried) < FINE.trials:
+            kept = {other for other in every if not below[other].intersection(removed)}
+            space = disc_space(nav.scene.room, nav.blocking.of(kept), nav.agent.radius)
+            tried[removed] = reached_by(found, space, nav.agent.reach)
+        return removed in tried and bool(tried[removed][row])
+
+    def helpful(row: int) -> list[tuple[int, ...]]:
+        rows = np.array([other for other in every if other not in below[row]], dtype=np.intp)
+        near = np.sort(rows[np.argsort(shapely.distance(feet[rows], feet[row]), kind="stable")][: FINE.neighbours])
+        single = [group for group in itertools.combinations(rows.tolist(), 1) if reached(group, row)]
+        return single or [group for group in itertools.combinations(near.tolist(), 2) if reached(group, row)]
+
+    sets = {name: helpful(found.names.index(name)) for name in wanted}
+    return {name: tuple(tuple(found.names[row] for row in group) for group in groups) for name, groups in sets.items()}

@@ -1,29 +1,35 @@
-"""The report: what a layout achieves, in figures, verdicts and sentences (the definitions are DESIGN section 8)."""
+"""`verify` judges a finished layout, whoever made it; the report says what that achieves (the definitions are DESIGN section 8)."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+import time
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from importlib import import_module
 from importlib.util import find_spec
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from robolayout._errors import MissingExtraError
-from robolayout.scene import Asset, Layout, Scene, layout_digest, scene_digest
+from robolayout.constraints import Outcome
+from robolayout.scene import Agent, Asset, Layout, Scene, layout_digest, load_agents, scene_digest
 from robolayout.verify._boxes import share
-from robolayout.verify.agent_report import AgentReport, finite
+from robolayout.verify.agent_report import AgentReport, finite, judge_agent
 from robolayout.verify.limits import Demands
 from robolayout.verify.metrics import published_metrics
 from robolayout.verify.moves import Move, moves
-from robolayout.verify.physics import CHECKS, Physics
+from robolayout.verify.physics import CHECKS, Physics, physics
 from robolayout.verify.present import html, label, markdown
 from robolayout.verify.rules import RuleResult, rule_results
 from robolayout.words import AskedRow, share_met
 
 if TYPE_CHECKING:
-    from robolayout.program import Program
+    from robolayout.program import Program, Statement
+
+
+AgentSpec = Agent | str | Path | Mapping[str, Any]
 
 
 @dataclass(frozen=True)
@@ -254,3 +260,42 @@ def _cells(report: Report, asset: Asset) -> Iterator[tuple[str, object]]:
         yield f"{mark}usable", found.usage.usable[name]
         yield f"{mark}route", nav.routes[name].length if name in nav.routes else math.nan
         yield f"{mark}passage", nav.passages[name].width if name in nav.passages else math.nan
+
+
+def verify(
+    scene: Scene,
+    layout: Layout,
+    program: Program | None = None,
+    *,
+    agent: AgentSpec | Iterable[AgentSpec] | None = None,
+    demands: Demands | None = None,
+) -> Report:
+    """Judge a layout: physics, navigation and use for each agent, and every statement as asked.
+
+    Args:
+        scene: What was given.
+        layout: Poses; assets without one fail every share.
+        program: The statements as asked; None leaves semantics out.
+        agent: One body or several: an `Agent`, names of profiles ("wheelchair,child_6"), a file, a mapping as in a
+            scene file, or a list of those; the scene's own if None.
+        demands: What the layout must achieve for `Report.ok`.
+    """
+    wall, cpu = time.perf_counter(), time.process_time()
+    placed = {name for name, pose in layout.items() if pose.is_finite}
+    demands, bodies = demands or Demands(), scene.agents if agent is None else load_agents(agent)
+    reports = tuple(judge_agent(scene, layout, body, demands) for body in bodies)
+    statements = () if program is None else tuple(_measure(scene, layout, s, placed) for s in program.statements)
+    judged = physics(scene, layout)
+    timing = {"verify": {"wall": time.perf_counter() - wall, "cpu": time.process_time() - cpu}}
+    return Report(scene, layout, judged, reports, statements, demands, timing, program=program)
+
+
+def _measure(scene: Scene, layout: Layout, statement: Statement, placed: set[str]) -> StatementResult:
+    """Measure one statement; it fails if one of its assets is unplaced."""
+    relation = statement.relation
+    missing = [name for name in relation.asset_names() if name not in placed]
+    unplaced = Outcome(False, math.nan, math.nan, "", f"{' and '.join(missing)} not placed")
+    found = vars(unplaced if missing else relation.check(scene, layout))
+    return StatementResult(
+        statement.number, statement.line, statement.source, relation.sentence(), **found, by=statement.by
+    )

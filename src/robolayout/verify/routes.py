@@ -27,6 +27,7 @@ from robolayout.verify.limits import FINE
 
 Node = TypeVar("Node", int, tuple[int, int])
 Link = TypeVar("Link")
+Edge = tuple[int, int]  # the numbers of its ends
 Portal = tuple[Point, Point]  # the ends of an edge that a way crosses: left and right
 
 
@@ -116,40 +117,26 @@ class Mesh:
 
     def __init__(self, polygon: Polygon) -> None:
         even = shapely.set_precision(polygon, FINE.grain)
-        triangles = shapely.get_parts(shapely.constrained_delaunay_triangles(even))
-        rings = shapely.get_coordinates(triangles).reshape(-1, 4, 2)[:, :3]
-        self._triangles = triangles
-        self._tree = shapely.STRtree(triangles)
+        self._triangles = shapely.orient_polygons(shapely.get_parts(shapely.constrained_delaunay_triangles(even)))
+        self._tree = shapely.STRtree(self._triangles)
+        rings = shapely.get_coordinates(self._triangles).reshape(-1, 4, 2)[:, :3]
         self._points, index = np.unique(rings.reshape(-1, 2), axis=0, return_inverse=True)
-        self._corners = index.reshape(-1, 3)
-        self._spots: list[Point] = [(x, y) for x, y in self._points.tolist()]
-        self._middles: list[Point] = [(x, y) for x, y in self._points[self._corners].mean(axis=1).tolist()]
-        self._edges = self._neighbours()
+        around: list[list[Edge]] = [[(a, b), (b, c), (c, a)] for a, b, c in index.reshape(-1, 3).tolist()]
+        owner = {edge: row for row, edges in enumerate(around) for edge in edges}
+        # for each triangle its neighbours and the edges to them, counter-clockwise
+        self._edges = [[(owner[b, a], (a, b)) for a, b in edges if (b, a) in owner] for edges in around]
 
-    def _neighbours(self) -> list[list[tuple[int, int, int]]]:
-        """Return for each triangle its inner edges as (neighbour, corner, corner)."""
-        owners: dict[tuple[int, int], list[int]] = {}
-        for row, (a, b, c) in enumerate(self._corners.tolist()):
-            for edge in ((a, b), (b, c), (c, a)):
-                owners.setdefault((min(edge), max(edge)), []).append(row)
-        result: list[list[tuple[int, int, int]]] = [[] for _ in self._corners]
-        for (a, b), rows in owners.items():
-            if len(rows) == 2:
-                result[rows[0]].append((rows[1], a, b))
-                result[rows[1]].append((rows[0], a, b))
-        return result
-
-    def search(self, start: Point) -> Tree[int, tuple[int, int]]:
+    def search(self, start: Point) -> Tree[int, Edge]:
         """Return the shortest ways over edge midpoints from a point to all triangles; links are the edges."""
 
-        def across(row: int, _: Point) -> Iterator[tuple[int, Point, tuple[int, int]]]:
-            for neighbour, a, b in self._edges[row]:
+        def across(row: int, _: Point) -> Iterator[tuple[int, Point, Edge]]:
+            for neighbour, (a, b) in self._edges[row]:
                 x, y = ((self._points[a] + self._points[b]) / 2).tolist()
                 yield neighbour, (x, y), (a, b)
 
         return cheapest(int(self._tree.nearest(shapely.Point(start))), start, across)
 
-    def route(self, tree: Tree[int, tuple[int, int]], zone: Polygon) -> tuple[Point, ...]:
+    def route(self, tree: Tree[int, Edge], zone: Polygon) -> tuple[Point, ...]:
         """Return the taut way from the tree's start into a zone."""
         last = self._nearest(tree, zone)
         target = shapely.intersection(self._triangles[last], zone)
@@ -166,15 +153,16 @@ class Mesh:
             points = _pull(tree.start, portals, last_aim)
         return points
 
-    def _portals(self, tree: Tree[int, tuple[int, int]], row: int) -> list[Portal]:
+    def _portals(self, tree: Tree[int, Edge], row: int) -> list[Portal]:
         """Return the edges that the way to a triangle crosses, each as (left, right)."""
         portals: list[Portal] = []
         while row in tree.before:
-            row, edge = tree.before[row]
-            portals.append(self._oriented(row, *edge))
+            row, (a, b) = tree.before[row]
+            left, right = self._points[[b, a]].tolist()
+            portals.append(((left[0], left[1]), (right[0], right[1])))
         return portals[::-1]
 
-    def _nearest(self, tree: Tree[int, tuple[int, int]], zone: Polygon) -> int:
+    def _nearest(self, tree: Tree[int, Edge], zone: Polygon) -> int:
         """Return the triangle through which the way into a zone is shortest."""
         rows = [row for row in np.sort(self._tree.query(zone, predicate="intersects")).tolist() if row in tree.cost]
         if not rows:  # by rounding, a zone that touches the free space meets none of its triangles
@@ -184,11 +172,6 @@ class Mesh:
         lines = shapely.shortest_line(shapely.intersection(self._triangles[rows], zone), doors)
         best = int(np.argmin(np.array([tree.cost[row][0] for row in rows]) + shapely.length(lines)))
         return rows[best]
-
-    def _oriented(self, row: int, a: int, b: int) -> Portal:
-        """Return an edge as (left, right), seen by somebody who leaves triangle `row` through it."""
-        middle, left, right = self._middles[row], self._spots[a], self._spots[b]
-        return (left, right) if _turn(middle, right, left) > 0 else (right, left)
 
 
 def _turn(a: Point, b: Point, c: Point) -> float:
@@ -200,10 +183,8 @@ def _pull(start: Point, portals: list[Portal], goal: Point) -> tuple[Point, ...]
     """Pull a string tight through portals (the funnel algorithm); returns its corners."""
     gates = [*portals, (goal, goal)]
     apex, points, at = start, [start], 0
-    ends, since = (
-        list(gates[0]),
-        [0, 0],
-    )  # left and right side of the cone that is seen from the apex, and the gates they are from
+    # left and right side of the cone that is seen from the apex, and the gates they are from
+    ends, since = list(gates[0]), [0, 0]
     while at < len(gates):
         for side, sign in ((1, 1.0), (0, -1.0)):
             new, other = gates[at][side], ends[1 - side]

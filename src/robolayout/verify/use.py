@@ -12,9 +12,9 @@ from __future__ import annotations
 
 import itertools
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cache, cached_property
 
 import numpy as np
 import shapely
@@ -22,18 +22,14 @@ from numpy.typing import NDArray
 from shapely import Polygon
 from shapely.geometry.base import BaseGeometry
 
-from robolayout.assets import sweeps_of
+from robolayout.assets import Joint, sweeps_of
 from robolayout.scene import ROUNDING, Agent, Asset, Hold, Layout, Point, Scene
 from robolayout.scene.agent import BODY, horizontal_reach
-from robolayout.verify._approaches import approaches, needs_no_use
+from robolayout.verify._approaches import approaches, by_hand, handles, needs_no_use, swept
 from robolayout.verify._boxes import in_room, out_of_room, room_polygon, share, shared_area
 from robolayout.verify._knees import frontal, is_sat_at
-from robolayout.verify._sides import side_edge
 from robolayout.verify._space import areas
-from robolayout.verify._stances import Stances
-from robolayout.verify._swept import by_hand, handle_heights, handle_near, opens, swept
-from robolayout.verify.drives import Drive, entry
-from robolayout.verify.heading import HeadingSpace, rectangle
+from robolayout.verify.heading import Drive, Headings, HeadingSpace, Region, entry, grown, rectangle
 from robolayout.verify.holds import find_hold
 from robolayout.verify.limits import JUDGE
 from robolayout.verify.navigation import Navigation, navigation
@@ -58,10 +54,12 @@ class Usage:
 
     def __init__(self, nav: Navigation) -> None:
         self.agent, self._nav, self._found = nav.agent, nav, nav.boxes
-        self._stances, self._ways = Stances(nav), approaches(nav.boxes, nav.agent)
-        self._touched: dict[int, NDArray[np.object_]] = {}
+        self._ways, self._idle = approaches(nav.boxes, nav.agent), needs_no_use(nav.boxes)
+        rectangular = self.agent.length is not None and self.agent.width is not None
+        self._headings = Headings(nav.scene.room, nav.blocking, self.agent) if rectangular else None
+        self._touches = self.agent.reach_distance is None and rectangular
+        self._touching = cache(self._touched)
         self._held: dict[int, tuple[Hold, ...]] = {}
-        self._touches = self.agent.reach_distance is None and self._stances.rectangular
         self._approach = self._approaches()
 
     @cached_property
@@ -91,7 +89,7 @@ class Usage:
     @property
     def headings(self) -> HeadingSpace | None:
         """Where a rectangular body gets to and turns; None for a disc."""
-        return self._stances.space
+        return self._headings and self._headings.space
 
     def shutting(self, name: str) -> tuple[str, ...]:
         """Return the assets that stand where a placed one needs room to open, or the body room to turn or to open it."""
@@ -130,44 +128,60 @@ class Usage:
         found, rows = np.zeros(len(usable), dtype=bool), self._ways.rows
         for row in sorted(set(rows[self._able & ~usable[rows]].tolist())):
             of_row = np.flatnonzero(self._able & (rows == row))
-            for number, region in self._stances.opened(row)[1]:
-                here = of_row[self._faces(self._stances.heading(number))[of_row]]
+            for heading, region in self._opened(row)[1]:
+                here = of_row[self._faces(heading)[of_row]]
                 found[row] |= bool(shapely.intersects(region, self._ways.zones[here]).any())
         return found
 
     def _shut(self, row: int) -> bool:
         """Return whether an asset is used by opening it, and the body can open nothing of it."""
         sides = [self._ways.sides[number] for number in self._ways.of(row)]
-        by_hand = bool(sides) and set(sides) == {"front"} and bool(opens(self._found, self.agent, row))
+        by_hand = bool(sides) and set(sides) == {"front"} and bool(handles(self._found, self.agent, row))
         return by_hand and not any(hold.poses for hold in self._holds(row))
 
     @cached_property
     def _plain(self) -> NDArray[np.bool_]:
         """(n,) what the body could stand at to use it, no chair moved."""
-        rows, zones = self._ways.rows, self._ways.zones
-        usable, able = self._found.placed & needs_no_use(self._found), self._able
+        rows, headings = self._ways.rows, self._headings
+        usable, able = self._found.placed & self._idle, self._able
 
         def waiting() -> NDArray[np.intp]:
             return np.flatnonzero(able & ~usable[rows])
 
-        def stand(number: int, region: BaseGeometry, zones: NDArray[np.object_]) -> None:
-            some = waiting()
-            some = some[self._faces(self._stances.heading(number))[some]]
-            shapely.prepare(region)
-            usable[rows[some[shapely.intersects(region, zones[some])]]] = True
+        def stand(regions: Iterable[Region], touching: bool = False) -> None:
+            for heading, region in regions:
+                some, zones = waiting(), self._touching(heading) if touching else self._ways.zones
+                some = some[self._faces(heading)[some]]
+                shapely.prepare(region)
+                usable[rows[some[shapely.intersects(region, zones[some])]]] = True
 
-        for number, region in self._stances.surely():
-            stand(number, region, zones)
-        if not self._stances.nowhere(zones[waiting()]).all():
-            for number, region in self._stances.everywhere:
-                stand(number, region, zones)
-        for number, region in self._stances.everywhere if self._touches and len(waiting()) else ():
-            stand(number, region, self._touching(number))
+        if headings is not None:
+            stand(headings.surely)
+        if headings is None or shapely.intersects(headings.at_most, self._ways.zones[waiting()]).any():
+            stand(self._everywhere)
+        if self._touches and len(waiting()):
+            stand(self._everywhere, touching=True)
         return usable
+
+    @cached_property
+    def _everywhere(self) -> tuple[Region, ...]:
+        """Where the body gets to as things stand, by heading."""
+        if self._headings is not None:
+            return self._headings.space.regions
+        return () if self._nav.main.is_empty else ((0.0, self._nav.main),)
+
+    def _opened(self, row: int) -> tuple[frozenset[int], tuple[Region, ...]]:
+        """Return which chairs are moved away to use an asset, and what that opens."""
+        moved = self._nav.blocking.moved_for(self._found, row)
+        if not moved:
+            return moved, ()
+        if self._headings is not None:
+            return moved, self._headings.opened(moved)
+        return moved, tuple((0.0, part) for part in self._nav.space.opened(moved))
 
     def _approaches(self) -> NDArray[np.object_]:
         """Return (m,) how a seated body works at each approach: "frontally" or "sideways"; empty where it is all one."""
-        sits = self.agent.knee_height is not None and self._stances.rectangular
+        sits = self.agent.knee_height is not None and self._headings is not None
 
         def way(asset: Asset, side: str) -> str:
             if not (sits and side and is_sat_at(asset)):
@@ -192,47 +206,40 @@ class Usage:
     def _stands(self, row: int) -> Iterator[tuple[int, BaseGeometry, frozenset[int]]]:
         """Yield how an asset can be used: number of the approach, where the centre stands, what may have to be moved away."""
         able = [i for i in self._ways.of(row) if self._able[i]]
-        moved, beside = self._stances.opened(row)
-        for regions, chairs in ((self._stances.everywhere, frozenset[int]()), (beside, moved)):
-            for i, (number, region) in itertools.product(able, regions):
-                if not self._faces(self._stances.heading(number))[i]:
+        moved, beside = self._opened(row)
+        for regions, chairs in ((self._everywhere, frozenset[int]()), (beside, moved)):
+            for i, (heading, region) in itertools.product(able, regions):
+                if not self._faces(heading)[i]:
                     continue
-                for zones in (self._ways.zones, self._touching(number)) if self._touches else (self._ways.zones,):
+                for zones in (self._ways.zones, self._touching(heading)) if self._touches else (self._ways.zones,):
                     yield i, region.intersection(zones[i]), chairs
 
-    def _touching(self, number: int) -> NDArray[np.object_]:
-        """Return (m,) from where the body touches each approach at a heading."""
-        if number not in self._touched:
-            self._touched[number] = self._ways.touching(self._stances.body(number))
-        return self._touched[number]
+    def _touched(self, heading: float) -> NDArray[np.object_]:
+        """Return (m,) from where the body touches each approach at a heading in radians."""
+        return self._ways.touching(rectangle(self.agent, heading))
 
     @cached_property
     def drives(self) -> Mapping[str, Drive] | None:
         """How a body with a turning radius drives to what it uses, no chair moved; None for one that slides sideways."""
         from robolayout.verify.driving import Lattice
 
-        room, agent = self._nav.scene.room, self.agent
-        if agent.turning_radius is None or not self._stances.rectangular:
+        room, agent, headings = self._nav.scene.room, self.agent, self._headings
+        if agent.turning_radius is None or headings is None:
             return None
-        came_in = self._came_in()
-        if came_in is None:
+        if room.doors:  # where its centre comes in if nothing is in the way
+            came_in = room.walls[room.doors[0].wall].point(room.doors[0].center, (agent.length or 0.0) / 2)
+        elif headings.space.start is None:
             return {}
-        return Lattice(room, self._nav.blocking, agent, came_in, self._stances.heading(0)).drives(self._places)
-
-    def _came_in(self) -> Point | None:
-        """Return where the centre of a rectangular body comes in if nothing is in the way; None if it cannot."""
-        room = self._nav.scene.room
-        if room.doors:
-            return room.walls[room.doors[0].wall].point(room.doors[0].center, (self.agent.length or 0.0) / 2)
-        space = self._stances.space
-        return entry(room, space.pieces[space.start]) if space is not None and space.start is not None else None
+        else:
+            came_in = entry(room, headings.space.pieces[headings.space.start])
+        return Lattice(room, self._nav.blocking, agent, came_in, headings.headings[0]).drives(self._places)
 
     @cached_property
     def _driven(self) -> NDArray[np.bool_]:
         """(n,) what the body gets to with its heading."""
         if self.drives is None:
             return np.ones(len(self._found.names), dtype=bool)
-        return needs_no_use(self._found) | np.isin(self._found.names, list(self.drives))
+        return self._idle | np.isin(self._found.names, list(self.drives))
 
     def _stranded(self, row: int) -> BaseGeometry | None:
         """Return from where a body would use an asset if it found a way to drive there; None where it does, or has no place."""
@@ -252,7 +259,7 @@ class Usage:
         """Return from where the body uses what at a heading in radians: (m,) names and zones, nothing where it cannot."""
         zones = self._ways.zones
         if self._touches:
-            zones = shapely.union(zones, self._ways.touching(rectangle(self.agent, heading)))
+            zones = shapely.union(zones, self._touching(heading))
         found = zones.copy()
         found[~(self._able & self._faces(heading))] = Polygon()
         return [self._found.names[row] for row in self._ways.rows.tolist()], found
@@ -283,7 +290,7 @@ class Usage:
 
     def _use(self, row: int) -> Use:
         name = self._found.names[row]
-        if needs_no_use(self._found)[row]:
+        if self._idle[row]:
             return Use(name, True, "", None, "")
         ways = (way for way in self._stands(row) if not way[1].is_empty and (way[2] or self._driven[row]))
         way = next(ways, None)
@@ -291,26 +298,31 @@ class Usage:
             return Use(name, False, "", None, self._reason(row))
         number, places, chairs = way
         side = self._ways.sides[number]
-        target = side_edge(self._found.footprints[row], side) if side else self._found.footprints[row]
-        spot = shapely.get_coordinates(shapely.shortest_line(places, target.centroid))[0]
+        spot = shapely.get_coordinates(shapely.shortest_line(places, self._ways.target(number).centroid))[0]
         near = shapely.Point(spot).buffer(self.agent.circumradius)
         moved = [i for i in sorted(chairs) if near.intersects(self._found.footprints[i])] or sorted(chairs)
         names = tuple(self._found.names[i] for i in moved)
         place = (float(spot[0]), float(spot[1]))
-        handle = handle_near(self._found, self.agent, row, place) if side == "front" else ""
-        return Use(name, True, side, place, "", names, handle, self._approach[number])
+        hands = by_hand(self._found, self.agent, row) if side == "front" else ()
+        away = {joint.name: self._to_handle(row, joint, place) for joint, _ in hands}
+        nearest = min(away, key=lambda joint: (away[joint], joint), default="")
+        return Use(name, True, side, place, "", names, nearest, self._approach[number])
+
+    def _to_handle(self, row: int, joint: Joint, place: Point) -> float:
+        """Return how many metres a place is in plan from a handle."""
+        return in_room(shapely.Point(joint.handle[:2]), self._found.where(row)[1]).distance(shapely.Point(place))
 
     def _holds(self, row: int) -> tuple[Hold, ...]:
         """Return how the body opens each door and drawer whose handle is at a height that it reaches."""
         if row in self._held:
             return self._held[row]
-        moved, beside = self._stances.opened(row)
+        moved, beside = self._opened(row)
         chairs, place = tuple(self._found.names[i] for i in sorted(moved)), self._found.where(row)[1]
-        before = self._ways.zone(next(i for i in self._ways.of(row) if self._ways.sides[i] == "front"), JUDGE.far)
+        before = self._ways.beyond[next(i for i in self._ways.of(row) if self._ways.sides[i] == "front")]
         regions = [
-            (self._stances.heading(number) - place[3], out_of_room(areas(region & before), place), aside)
-            for places, aside in ((self._stances.everywhere, ()), (beside, chairs))
-            for number, region in places
+            (heading - place[3], out_of_room(areas(region & before), place), aside)
+            for places, aside in ((self._everywhere, ()), (beside, chairs))
+            for heading, region in places
         ]
         self._held[row] = tuple(
             find_hold(self._found, self.agent, row, joint, reach + ROUNDING, regions)
@@ -342,7 +354,9 @@ class Usage:
             return _height_reason(agent, float(found.bottom[row]), float(found.top[row]))
         numbers = self._ways.of(row)
         if not numbers:
-            low, high = handle_heights(found, agent, row)
+            held = [joint.hold for joint, _ in handles(found, agent, row)]
+            z = float(found.poses[row, 2])
+            low, high = z + min(low for low, _ in held), z + max(high for _, high in held)
             return f"its handles lie {low:.2f} to {high:.2f} m high, reach is from {agent.reach_low:.2f} to {agent.reach_high:.2f} m"
         if blockers := self._in_front.get(row):
             return f"its front has no room to open: {' and '.join(blockers)} in the way"
@@ -365,13 +379,13 @@ class Usage:
 
     def _nearest(self, row: int, number: int) -> float:
         """Return metres from an approach to the nearest place to stand beyond it (or to a body that only touches)."""
-        zone, target = self._ways.zone(number, JUDGE.far), self._ways.target(number)
-        away = math.inf
-        for heading, region in (*self._stances.everywhere, *self._stances.opened(row)[1]):
-            place = region.intersection(zone)
+        target, away = self._ways.target(number), math.inf
+        for heading, region in (*self._everywhere, *self._opened(row)[1]):
+            place = region.intersection(self._ways.beyond[number])
             if not place.is_empty:
-                there = self._ways.swept(self._stances.body(heading))[number] if self._touches else target
-                away = min(away, place.distance(there))
+                if self._touches:
+                    (target,) = grown(self._ways.corners[[number]], rectangle(self.agent, heading))
+                away = min(away, place.distance(target))
         return away
 
 

@@ -2,55 +2,54 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from collections.abc import Iterable
 
 import numpy as np
 import shapely
 from numpy.typing import NDArray
 from shapely.geometry.base import BaseGeometry
 
-from robolayout._grid import window_count
+from robolayout._grid import Mask, window_count
 from robolayout.scene import Room
 from robolayout.verify._boxes import room_polygon
 
 PIXELS = 256  # pixels of a side
 
 
-@dataclass(frozen=True, eq=False)
 class Raster:
-    """Pixel centres of a square around the middle of the room's bounds."""
+    """Pixel centres of a square around the middle of the room's bounds.
 
-    x: NDArray[np.float64]  # (256, 256) metres
-    y: NDArray[np.float64]  # (256, 256) metres
-    pixel: float  # side of a pixel in metres
-    floor: NDArray[np.bool_]  # (256, 256) whether the centre is on the floor
+    Half a side is the largest coordinate from there, plus a margin in metres.
+    """
 
-    def mask(self, shape: BaseGeometry) -> NDArray[np.bool_]:
-        """Return which pixel centres a shape covers."""
+    def __init__(self, room: Room, margin: float) -> None:
+        low_x, low_y, high_x, high_y = room.bounds
+        half = max(high_x - low_x, high_y - low_y) / 2 + margin
+        self.pixel = 2 * half / PIXELS  # side of a pixel in metres
+        ticks = (np.arange(PIXELS) + 0.5) * self.pixel - half
+        self.x, self.y = (low_x + high_x) / 2 + ticks, (low_y + high_y) / 2 + ticks  # (256,) metres each
+        self.floor = self.mask(room_polygon(room))
+
+    def mask(self, shape: BaseGeometry) -> Mask:
+        """Return which pixel centres (256, 256) a shape covers, rows along y."""
         result = np.zeros((PIXELS, PIXELS), dtype=np.bool_)
         if shape.is_empty:
             return result
         low_x, low_y, high_x, high_y = shape.bounds
-        columns = slice(*np.searchsorted(self.x[0], (low_x, high_x + self.pixel)))
-        rows = slice(*np.searchsorted(self.y[:, 0], (low_y, high_y + self.pixel)))
+        columns = slice(*np.searchsorted(self.x, (low_x, high_x + self.pixel)))
+        rows = slice(*np.searchsorted(self.y, (low_y, high_y + self.pixel)))
         shapely.prepare(shape)
-        result[rows, columns] = shapely.intersects_xy(shape, self.x[rows, columns], self.y[rows, columns])
+        result[rows, columns] = shapely.intersects_xy(shape, self.x[columns], self.y[rows, None])
         return result
 
-    def eroded_floor(self, width: float) -> NDArray[np.bool_]:
-        """Return the floor eroded with a square kernel as wide as the robot."""
+    def free(self, width: float, footprints: Iterable[BaseGeometry]) -> tuple[Mask, list[Mask]]:
+        """Return where a robot so many metres wide may be, and what each footprint takes with half the robot around it.
+
+        The floor is eroded with a square kernel as wide as the robot.
+        """
         side = max(1, round(width / self.pixel))
-        return window_count(self.floor, side) == side**2
-
-
-def raster(room: Room, margin: float) -> Raster:
-    """Return the picture whose half side is the largest coordinate from the middle of the room, plus a margin in metres."""
-    low_x, low_y, high_x, high_y = room.bounds
-    center = ((low_x + high_x) / 2, (low_y + high_y) / 2)
-    half = max(high_x - low_x, high_y - low_y) / 2 + margin
-    pixel = 2 * half / PIXELS
-    ticks = (np.arange(PIXELS, dtype=np.float64) + 0.5) * pixel - half
-    x: NDArray[np.float64] = np.tile(center[0] + ticks, (PIXELS, 1))
-    y: NDArray[np.float64] = np.tile((center[1] + ticks)[:, None], (1, PIXELS))
-    blank = Raster(x, y, pixel, np.zeros((PIXELS, PIXELS), dtype=np.bool_))
-    return replace(blank, floor=blank.mask(room_polygon(room)))
+        taken = [self.mask(footprint.buffer(width / 2)) for footprint in footprints]
+        free: NDArray[np.bool_] = window_count(self.floor, side) == side**2
+        for mask in taken:
+            free &= ~mask
+        return free, taken

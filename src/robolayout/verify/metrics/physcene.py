@@ -11,10 +11,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from robolayout._grid import components, window_count
+from robolayout._grid import Mask, components, window_count
 from robolayout.scene import Layout, Room, Scene
-from robolayout.verify._boxes import Boxes, boxes, shared_area
-from robolayout.verify.metrics._raster import Raster, raster
+from robolayout.verify._boxes import boxes
+from robolayout.verify.metrics._raster import Raster
 
 
 @dataclass(frozen=True)
@@ -40,12 +40,11 @@ def physcene(scene: Scene, layout: Layout) -> dict[str, float]:
     """
     found = boxes(scene, layout)
     rows = np.flatnonzero(found.placed)
-    hit = _overlapping(found, rows)
-    picture = raster(scene.room, PHYSCENE.margin)
+    hit = np.isin(rows, found.overlapping(rows, PHYSCENE.rounding, PHYSCENE.rounding))
+    picture = Raster(scene.room, PHYSCENE.margin)
     outside = [bool((picture.mask(found.footprints[row]) & ~picture.floor).any()) for row in rows]
-    blocking = [row for row in rows.tolist() if (found.bottom[row] + found.top[row]) / 2 < PHYSCENE.high]
-    masks = [picture.mask(found.footprints[row].buffer(PHYSCENE.robot_width / 2)) for row in blocking]
-    free = picture.eroded_floor(PHYSCENE.robot_width) & ~np.logical_or.reduce([np.zeros_like(picture.floor), *masks])
+    blocking = rows[(found.bottom[rows] + found.top[rows]) / 2 < PHYSCENE.high]
+    free, masks = picture.free(PHYSCENE.robot_width, found.footprints[blocking])
     numbered, counts = components(free)
     return {
         "Col_obj": float(hit.mean()) if len(hit) else 0.0,
@@ -54,15 +53,6 @@ def physcene(scene: Scene, layout: Layout) -> dict[str, float]:
         "R_walkable": _walkable(scene.room, picture, numbered, counts),
         "R_reach": _reach(masks, numbered, counts),
     }
-
-
-def _overlapping(found: Boxes, rows: NDArray[np.intp]) -> NDArray[np.bool_]:
-    """Return for each placed object whether its box shares volume with any other."""
-    a, b = found.pairs(rows)
-    height = np.minimum(found.top[a], found.top[b]) - np.maximum(found.bottom[a], found.bottom[b])
-    area = shared_area(found.footprints[a], found.footprints[b])
-    both = (height > PHYSCENE.rounding) & (area > PHYSCENE.rounding)
-    return np.isin(rows, (a[both], b[both]))
 
 
 def _walkable(room: Room, picture: Raster, numbered: NDArray[np.int32], counts: NDArray[np.intp]) -> float:
@@ -74,14 +64,14 @@ def _walkable(room: Room, picture: Raster, numbered: NDArray[np.int32], counts: 
     shares: list[float] = []
     for door in room.doors:
         x, y = room.walls[door.wall].point(door.center)
-        away = np.hypot(picture.x[ys, xs] - x, picture.y[ys, xs] - y)
+        away = np.hypot(picture.x[xs] - x, picture.y[ys] - y)
         nearest = int(np.argmin(away))
         near = away[nearest] / picture.pixel <= PHYSCENE.robot_width / picture.pixel + 1
         shares.append(float(counts[numbered[ys[nearest], xs[nearest]] - 1] / counts.sum()) if near else 0.0)
     return float(np.mean(shares))
 
 
-def _reach(masks: list[NDArray[np.bool_]], numbered: NDArray[np.int32], counts: NDArray[np.intp]) -> float:
+def _reach(masks: list[Mask], numbered: NDArray[np.int32], counts: NDArray[np.intp]) -> float:
     if not masks or not len(counts):
         return 0.0
     touched = np.zeros(len(counts) + 1)

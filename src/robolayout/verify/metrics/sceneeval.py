@@ -1,27 +1,28 @@
 """SceneEval's metrics that need no language model: COL, NAV, ACC, OOB, SUP, opening clearance.
 
 Objects are the placed assets. Where SceneEval uses an object's mesh, its shape (COL) or box (OOB) stands in: numbers compare with
-boxes, not with scans. The functional sides that SceneEval asks a language model for are the asset's use sides.
+boxes, not with scans. What SceneEval asks a language model for is taken from the asset: its use sides are the functional ones, its
+flags and its height say what should hold it (SUP). There the surfaces of what carries it stand in for that one's mesh, and an
+even lattice of points on the face that is held for random ones.
 """
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 import shapely
 from numpy.typing import NDArray
-from shapely import Polygon
+from shapely import MultiPoint, Polygon
 from shapely.geometry.base import BaseGeometry
 
 from robolayout._grid import components
 from robolayout.scene import Layout, Opening, Room, Scene
-from robolayout.verify._approaches import use_sides
-from robolayout.verify._boxes import Boxes, boxes, room_polygon, share
-from robolayout.verify._sides import side_edge, strip
-from robolayout.verify.metrics._raster import raster
-from robolayout.verify.metrics.support import SUPPORT, supported
+from robolayout.verify._approaches import side_edge, strip, use_sides
+from robolayout.verify._boxes import Boxes, boxes, prisms_at, room_polygon, share
+from robolayout.verify.metrics._raster import Raster
 
 
 @dataclass(frozen=True)
@@ -42,6 +43,22 @@ class SceneEvalConfig:
 SCENEEVAL = SceneEvalConfig()
 
 
+@dataclass(frozen=True)
+class SupportConfig:
+    """The figures of SceneEval's support rule."""
+
+    back: float = 0.005  # metres that an object is moved away from what holds it before rays are cast
+    near: float = 0.01  # metres within which a ray must hit
+    points_per_area: int = 256  # points per square metre of the face that is held
+    least: int = 32  # least of them
+    most: int = 100_000  # most of them
+    # contacts that something needs which rests on the ground or on an object; one is enough at a wall or a ceiling
+    resting: int = 4
+
+
+SUPPORT = SupportConfig()
+
+
 def sceneeval(scene: Scene, layout: Layout) -> dict[str, float]:
     """Return SceneEval's figures of a layout under their names.
 
@@ -57,8 +74,8 @@ def sceneeval(scene: Scene, layout: Layout) -> dict[str, float]:
         "COL_scene": float(bool(hit)),
         "NAV": _nav(scene.room, found),
         "ACC": float(np.mean(list(scores.values()))) if scores else 1.0,
-        "OOB": float(np.mean([out_of_bounds(scene, found, row) for row in rows])) if rows else 0.0,
-        "SUP": share([supported(scene, found, row) for row in rows]),
+        "OOB": float(np.mean([_out_of_bounds(scene, found, row) for row in rows])) if rows else 0.0,
+        "SUP": share([_supported(scene, found, row) for row in rows]),
         "opening_clearance": share([part == 0 for part in hidden]),
     }
 
@@ -66,19 +83,19 @@ def sceneeval(scene: Scene, layout: Layout) -> dict[str, float]:
 def colliding(found: Boxes) -> set[str]:
     """Return objects whose prisms' surfaces still meet another's after that one is moved 5 mm off."""
     hit: set[str] = set()
-    for a, b in zip(*(rows.tolist() for rows in found.pairs(np.flatnonzero(found.placed))), strict=True):
+    for a, b in found.pairs(np.flatnonzero(found.placed)).tolist():
         if found.lies_in(a, b, SUPPORT.near) or found.lies_in(b, a, SUPPORT.near):
             continue
-        contacts = _contacts(found, a, b, (0.0, 0.0, 0.0))
+        contacts = _contacts(found, a, b, np.zeros(3))
         if contacts and _contacts(found, a, b, _nudge(found, b, contacts)):
             hit |= {found.names[a], found.names[b]}
     return hit
 
 
-def _contacts(found: Boxes, a: int, b: int, offset: tuple[float, float, float]) -> list[tuple[Any, float]]:
+def _contacts(found: Boxes, a: int, b: int, offset: NDArray[np.float64]) -> list[tuple[Any, float]]:
     """Return where surfaces of prisms meet when b is moved: area in plan and height; one wholly inside another does not count."""
-    (ones, low, high), (still, bottom, top) = found.shape(a), found.shape(b)
-    others = shapely.transform(still, lambda points: points + np.array(offset[:2]))
+    (ones, low, high), (still, bottom, top) = prisms_at(*found.where(a)), prisms_at(*found.where(b))
+    others = shapely.transform(still, lambda points: points + offset[:2])
     bottom, top = bottom + offset[2], top + offset[2]
     start, end = np.maximum(low[:, None], bottom), np.minimum(high[:, None], top)
     i, j = np.nonzero((start <= end) & shapely.intersects(ones[:, None], others))
@@ -88,22 +105,16 @@ def _contacts(found: Boxes, a: int, b: int, offset: tuple[float, float, float]) 
     return [(shapely.intersection(ones[k], others[m]), float(start[k, m] + end[k, m]) / 2) for k, m in meets]
 
 
-def _nudge(found: Boxes, b: int, contacts: list[tuple[BaseGeometry, float]]) -> tuple[float, float, float]:
+def _nudge(found: Boxes, b: int, contacts: list[tuple[Any, float]]) -> NDArray[np.float64]:
     """Return 5 mm from the middle of the contacts towards the middle of b."""
     contact = shapely.union_all([place for place, _ in contacts]).centroid
-    height = float(np.mean([level for _, level in contacts]))
-    middle = (*found.centers[b], (found.bottom[b] + found.top[b]) / 2)
-    away = np.array(middle) - (contact.x, contact.y, height)
+    away = found.poses[b, :3] - (contact.x, contact.y, float(np.mean([level for _, level in contacts])))
     length = float(np.linalg.norm(away))
-    unit = away / length if length > 0 else np.array([0.0, 0.0, 1.0])
-    return (SCENEEVAL.nudge * float(unit[0]), SCENEEVAL.nudge * float(unit[1]), SCENEEVAL.nudge * float(unit[2]))
+    return SCENEEVAL.nudge * (away / length if length > 0 else np.array([0.0, 0.0, 1.0]))
 
 
 def _nav(room: Room, found: Boxes) -> float:
-    picture = raster(room, 0.2)
-    free = picture.eroded_floor(SCENEEVAL.robot_width)
-    for row in map(int, _obstacles(found)):
-        free &= ~picture.mask(found.footprints[row].buffer(SCENEEVAL.robot_width / 2))
+    free, _ = Raster(room, 0.2).free(SCENEEVAL.robot_width, found.footprints[_obstacles(found)])
     _, counts = components(free)
     return float(counts.max() / counts.sum()) if len(counts) else 0.0
 
@@ -114,7 +125,7 @@ def _obstacles(found: Boxes) -> NDArray[np.intp]:
 
 def accessibility(scene: Scene, found: Boxes) -> dict[str, float]:
     """Return for each placed object with a functional side the best free share of the rectangles in front of those."""
-    picture = raster(scene.room, 0.0)
+    picture = Raster(scene.room, 0.0)
     covered = {row: picture.mask(found.footprints[row]) for row in map(int, _obstacles(found))}
     count = np.sum(list(covered.values()), axis=0) if covered else np.zeros_like(picture.floor, dtype=int)
     scores: dict[str, float] = {}
@@ -133,7 +144,7 @@ def _side_zone(footprint: Polygon, side: str) -> BaseGeometry:
     )
 
 
-def out_of_bounds(scene: Scene, found: Boxes, row: int) -> bool:
+def _out_of_bounds(scene: Scene, found: Boxes, row: int) -> bool:
     """Tell whether less than 99 % of random points on an object's box lie above the floor."""
     depth, width, height = scene.assets[row].size
     wanted = max(SCENEEVAL.points_per_volume * depth * width * height, SCENEEVAL.least_points)
@@ -144,7 +155,7 @@ def out_of_bounds(scene: Scene, found: Boxes, row: int) -> bool:
     points = rng.uniform(-0.5, 0.5, (count, 3))
     points[np.arange(count), axis] = np.where(rng.random(count) < 0.5, -0.5, 0.5)
     ring = shapely.get_coordinates(found.footprints[row])
-    plan = found.centers[row] + points[:, :1] * (ring[0] - ring[3]) + points[:, 1:2] * (ring[1] - ring[0])
+    plan = found.poses[row, :2] + points[:, :1] * (ring[0] - ring[3]) + points[:, 1:2] * (ring[1] - ring[0])
     above = points[:, 2] * height + (found.bottom[row] + found.top[row]) / 2 >= -1e-9
     inside = above & np.asarray(shapely.intersects_xy(room_polygon(scene.room), plan[:, 0], plan[:, 1]))
     return float(inside.mean()) < 0.99
@@ -165,3 +176,41 @@ def occlusion(room: Room, opening: Opening, found: Boxes) -> float:
             along = (shapely.get_coordinates(inside) - np.array(wall.start)) @ np.array(wall.direction)
             shades.append(shapely.box(along.min(), max(found.bottom[row], low), along.max(), min(found.top[row], high)))
     return float(shapely.union_all(shades).area / (opening.width * opening.height))
+
+
+def _supported(scene: Scene, found: Boxes, row: int) -> bool:
+    """Tell whether a placed object is held, by SceneEval's rule: its flags say whether at ceiling, wall, object or ground."""
+    asset, points = scene.assets[row], _lattice(found, row)
+    touching = np.asarray(shapely.intersects_xy(room_polygon(scene.room), *points.T))
+    if asset.on_ceiling and not asset.on_floor:
+        gap = scene.room.wall_height - (found.top[row] - SUPPORT.back)
+        return bool(0.0 <= gap < SUPPORT.near and touching.any())
+    if asset.on_wall and not (asset.on_floor or asset.on_object):
+        return _at_wall(scene, found, row)
+    if asset.on_object and (not asset.on_floor or found.bottom[row] > SUPPORT.near):
+        below = shapely.union_all(list(found.contacts.get(row, {}).values()))
+        touching = np.asarray(shapely.intersects_xy(below, *points.T))
+    elif not 0.0 <= found.bottom[row] + SUPPORT.back < SUPPORT.near:
+        return False
+    hull = MultiPoint(points[touching]).convex_hull
+    balanced = hull.area > 0 and hull.intersects(shapely.Point(found.poses[row, :2]))
+    return bool(balanced and touching.sum() >= SUPPORT.resting)
+
+
+def _lattice(found: Boxes, row: int) -> NDArray[np.float64]:
+    """Return points (n, 2) in plan over an object's footprint, its corners among them."""
+    ring = shapely.get_coordinates(found.footprints[row])[:4]
+    area = float(found.footprints[row].area)
+    side = math.ceil(math.sqrt(min(max(SUPPORT.points_per_area * area, SUPPORT.least), SUPPORT.most)))
+    u, v = np.meshgrid(np.linspace(0, 1, side), np.linspace(0, 1, side))
+    return ring[0] + u.reshape(-1, 1) * (ring[1] - ring[0]) + v.reshape(-1, 1) * (ring[3] - ring[0])
+
+
+def _at_wall(scene: Scene, found: Boxes, row: int) -> bool:
+    """Tell whether a ray from an object's back, moved 5 mm forward, hits a wall within 1 cm."""
+    ring = shapely.get_coordinates(found.footprints[row])[:4]
+    forward = (ring[0] - ring[3]) / np.linalg.norm(ring[0] - ring[3])
+    starts = np.linspace(ring[2], ring[3], 9) + SUPPORT.back * forward
+    rays = shapely.linestrings(np.stack([starts, starts - SUPPORT.near * forward], axis=1))
+    low, high = max(found.bottom[row], 0.0), min(found.top[row], scene.room.wall_height)
+    return bool(high > low and shapely.intersects(rays, room_polygon(scene.room).exterior).any())

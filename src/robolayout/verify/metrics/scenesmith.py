@@ -26,14 +26,11 @@ def scenesmith(scene: Scene, layout: Layout) -> dict[str, object]:
     grown = shapely.buffer(found.footprints[rows], WIDTH / 2)
     pieces = _pieces(floor, grown)
     areas = shapely.area(pieces)
-    blocking: list[str] = []
-    if len(pieces) > 1:
-        blocking = [
-            found.names[row] for i, row in enumerate(rows) if len(_pieces(floor, np.delete(grown, i))) < len(pieces)
-        ]
+    suspects = enumerate(rows) if len(pieces) > 1 else ()
+    blocking = [found.names[row] for i, row in suspects if len(_pieces(floor, np.delete(grown, i))) < len(pieces)]
     ratio = float(areas.max() / areas.sum()) if len(areas) else 0.0
     return {"regions": len(pieces), "reachability_ratio": ratio, "blocking": blocking}
 
 
 def _pieces(floor: BaseGeometry, grown: NDArray[np.object_]) -> NDArray[np.object_]:
-    return components(floor.difference(shapely.union_all(grown)) if len(grown) else floor)
+    return components(floor.difference(shapely.union_all(grown)))

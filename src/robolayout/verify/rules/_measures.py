@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
+from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 import shapely
@@ -12,19 +14,26 @@ from shapely import LineString
 from shapely.geometry.base import BaseGeometry
 
 from robolayout.assets import category_of
-from robolayout.verify._ada import ADA
-from robolayout.verify._approaches import needs_no_use, use_sides
+from robolayout.verify._approaches import SIDES, needs_no_use, side_edge, strip, use_sides
 from robolayout.verify._boxes import corners, room_polygon
 from robolayout.verify._knees import is_sat_at, knee_width
-from robolayout.verify._sides import SIDES, side_edge, strip
-from robolayout.verify._space import Space, disc_space, plan_distances, reached_rows
+from robolayout.verify._space import Space, disc_space, reached_by
 from robolayout.verify.agent_report import AgentReport
 from robolayout.verify.heading import convex_places
+from robolayout.verify.limits import ADA
 from robolayout.verify.navigation import Navigation
-from robolayout.verify.passages import Passage, largest
+from robolayout.verify.passages import largest
 from robolayout.verify.proofs import exempt_from_reach
 from robolayout.verify.routes import Mesh, find_routes
-from robolayout.verify.rules._rule import Measured
+
+
+@dataclass(frozen=True)
+class Measured:
+    """What was measured for a rule."""
+
+    met: bool  # the verdict
+    value: float  # the figure that decides, in the rule's unit
+    text: str  # the measurement in words
 
 
 def route_width(body: AgentReport) -> Measured | None:
@@ -33,21 +42,21 @@ def route_width(body: AgentReport) -> Measured | None:
     passages = [p for name, p in nav.passages.items() if name not in exempt_from_reach(nav.scene, nav.agent)]
     if not passages:
         return None
-    names = {passage.asset for passage in passages}
-    narrow = names - _reached_by(nav, ADA.route)
+    narrow = {passage.asset for passage in passages} - _reached_by(nav, ADA.route)
     worst = min(passages, key=lambda passage: passage.width)
     if not narrow:
-        return Measured(True, max(worst.width, ADA.route), f"{max(worst.width, ADA.route):.2f} m or more to everything")
+        width = max(worst.width, ADA.route)
+        return Measured(True, width, f"{width:.2f} m or more to everything")
+    text = f"{worst.shown if worst.width else 'no way'} to {worst.asset}" + (
+        f", between {worst.sides}" if worst.sides else ""
+    )
     pinches = _pinches(nav, narrow)
-    where = f", between {worst.sides}" if worst.sides else ""
-    if pinches is None or not all(length <= ADA.pinch_length for length in pinches):
-        longest = "" if pinches is None else f", less than {ADA.route} m over {max(pinches):.2f} m"
-        return Measured(False, worst.width, f"{_shown(worst)} to {worst.asset}{where}{longest}")
-    return Measured(True, worst.width, f"{_shown(worst)} to {worst.asset}{where}, over {max(pinches):.2f} m only")
-
-
-def _shown(passage: Passage) -> str:
-    return "no way" if passage.width == 0 else passage.shown
+    if pinches is None:
+        return Measured(False, worst.width, text)
+    longest = max(pinches)
+    if longest > ADA.pinch_length:
+        return Measured(False, worst.width, f"{text}, less than {ADA.route} m over {longest:.2f} m")
+    return Measured(True, worst.width, f"{text}, over {longest:.2f} m only")
 
 
 def _space(nav: Navigation, width: float) -> Space:
@@ -56,8 +65,8 @@ def _space(nav: Navigation, width: float) -> Space:
 
 def _reached_by(nav: Navigation, width: float) -> set[str]:
     """Return what a disc of another width reaches with the body's arm."""
-    distances = plan_distances(nav.boxes, _space(nav, width), nav.agent.reach)
-    return {nav.boxes.names[row] for row in np.flatnonzero(reached_rows(nav.boxes, distances, nav.agent.reach))}
+    reached = reached_by(nav.boxes, _space(nav, width), nav.agent.reach)
+    return {nav.boxes.names[row] for row in np.flatnonzero(reached)}
 
 
 def _pinches(nav: Navigation, names: Iterable[str]) -> list[float] | None:
@@ -126,9 +135,7 @@ def door_width(body: AgentReport, least: float = ADA.pinch) -> Measured | None:
     return Measured(width >= least - 1e-9, width, f"door {number} is {width:.2f} m wide")
 
 
-def door_width_iso(body: AgentReport) -> Measured | None:
-    """Measure the narrowest door against 0.80 m."""
-    return door_width(body, 0.8)
+door_width_iso = partial(door_width, least=0.8)
 
 
 def turning_space(body: AgentReport) -> Measured:
@@ -153,12 +160,10 @@ def turning_space_iso(body: AgentReport) -> Measured:
 def _largest_circle(nav: Navigation) -> float:
     """Return the diameter of the largest circle whose middle the body gets to, up to what is asked for."""
 
-    def free(diameter: float) -> bool:
-        return bool(_space(nav, diameter).free.intersects(nav.main))
+    def free(step: int) -> bool:
+        return bool(_space(nav, step * ADA.fine).free.intersects(nav.main))
 
-    if nav.main.is_empty:
-        return 0.0
-    return ADA.fine * largest(lambda step: free(step * ADA.fine), round(ADA.circle / ADA.fine))
+    return ADA.fine * largest(free, round(ADA.circle / ADA.fine))
 
 
 def _has_t(nav: Navigation) -> bool:
@@ -193,33 +198,34 @@ def passing_space(body: AgentReport) -> Measured | None:
     return Measured(wide, longest, f"the longest way is {longest:.1f} m")
 
 
-def _asked(body: AgentReport) -> Iterator[int]:
-    """Yield the rows of the placed things that the body is asked to use."""
+def _asked(body: AgentReport) -> NDArray[np.intp]:
+    """Return the rows of the placed things that the body is asked to use."""
     found = body.navigation.boxes
-    for row in np.flatnonzero(found.placed & ~needs_no_use(found)).tolist():
-        if found.names[row] not in body.exempt:
-            yield row
+    exempt = np.array([name in body.exempt for name in found.names], dtype=bool)
+    return np.flatnonzero(found.placed & ~needs_no_use(found) & ~exempt)
 
 
 def _all(count: int) -> str:
     return "the one thing" if count == 1 else f"all {count} things"
 
 
-def _listed(names: list[str]) -> str:
+def _listed(body: AgentReport, rows: NDArray[np.intp]) -> str:
+    names = [body.navigation.boxes.names[row] for row in rows]
     return ", ".join(names[: ADA.named]) + (f" and {len(names) - ADA.named} more" if len(names) > ADA.named else "")
 
 
 def floor_space(body: AgentReport) -> Measured | None:
     """Count the furniture on the floor beside which no clear floor space adjoins a side that it is used from."""
-    nav, found = body.navigation, body.navigation.boxes
-    standing = (found.carriers < 0) & ~found.movable
-    rows = [row for row in _asked(body) if standing[row] and found.assets[row].on_floor]
-    if not rows:
+    found, rows = body.navigation.boxes, _asked(body)
+    on_floor = np.array([asset.on_floor for asset in found.assets], dtype=bool)
+    rows = rows[((found.carriers < 0) & ~found.movable & on_floor)[rows]]
+    if not len(rows):
         return None
     sides = use_sides(found.assets)
-    short = [nav.boxes.names[r] for r in rows if not any(_has_floor(body, r, side, ways=(0, 1)) for side in sides[r])]
-    text = f"none at {_listed(short)}" if short else f"at {_all(len(rows))}"
-    return Measured(not short, float(len(short)), text)
+    has = [any(_has_floor(body, row, side, ways=(0, 1)) for side in sides[row]) for row in rows.tolist()]
+    short = rows[~np.array(has)]
+    text = f"none at {_listed(body, short)}" if len(short) else f"at {_all(len(rows))}"
+    return Measured(not len(short), float(len(short)), text)
 
 
 def _has_floor(body: AgentReport, row: int, side: str, ways: tuple[int, ...]) -> bool:
@@ -275,43 +281,35 @@ def _another_bed(body: AgentReport, row: int, side: str, beds: list[int]) -> boo
 
 def reach_range(body: AgentReport) -> Measured | None:
     """Measure by how much the things to use end below or begin above the reach of somebody who sits."""
-    found = body.navigation.boxes
-    beyond = {found.names[row]: max(ADA.low - found.top[row], found.bottom[row] - ADA.high) for row in _asked(body)}
-    if not beyond:
+    found, rows = body.navigation.boxes, _asked(body)
+    if not len(rows):
         return None
-    out = [name for name, metres in beyond.items() if metres > ADA.contact]
-    worst = max(0.0, *beyond.values()) if out else 0.0
-    text = f"beyond it by up to {worst:.2f} m: {_listed(out)}" if out else _all(len(beyond))
-    return Measured(not out, float(worst), text)
+    beyond = np.maximum(ADA.low - found.top[rows], found.bottom[rows] - ADA.high)
+    out = rows[beyond > ADA.contact]
+    worst = float(beyond.max()) if len(out) else 0.0
+    text = f"beyond it by up to {worst:.2f} m: {_listed(body, out)}" if len(out) else _all(len(rows))
+    return Measured(not len(out), worst, text)
 
 
 def reach_over(body: AgentReport) -> Measured | None:
     """Measure how far over the edge of what carries them things stand, and how high."""
-    found = body.navigation.boxes
-    rows = [row for row in _asked(body) if found.carriers[row] >= 0]
-    if not rows:
+    found, rows = body.navigation.boxes, _asked(body)
+    rows = rows[found.carriers[rows] >= 0]
+    if not len(rows):
         return None
-    out: list[str] = []
-    deepest = 0.0
-    for row in rows:
-        carrier = int(found.carriers[row])
-        depth = float(found.footprints[row].distance(found.footprints[carrier].exterior))
-        high = ADA.high if depth <= ADA.full_depth else ADA.high_over
-        deepest = max(deepest, depth)
-        if (
-            depth > ADA.over_depth
-            or found.top[carrier] > ADA.over_height + ADA.contact
-            or found.bottom[row] > high + ADA.contact
-        ):
-            out.append(found.names[row])
-    text = f"too far or too high: {_listed(out)}" if out else f"{_all(len(rows))} on tops"
-    return Measured(not out, deepest, text)
+    under = found.carriers[rows]
+    depth = shapely.distance(found.footprints[rows], shapely.get_exterior_ring(found.footprints[under]))
+    high = np.where(depth <= ADA.full_depth, ADA.high, ADA.high_over)
+    too_far = (depth > ADA.over_depth) | (found.top[under] > ADA.over_height + ADA.contact)
+    out = rows[too_far | (found.bottom[rows] > high + ADA.contact)]
+    text = f"too far or too high: {_listed(body, out)}" if len(out) else f"{_all(len(rows))} on tops"
+    return Measured(not len(out), float(depth.max()), text)
 
 
 def knee_room(body: AgentReport) -> Measured | None:
     """Measure the widest room for knees and toes under what chairs stand at, from its shape."""
     found = body.navigation.boxes
-    rows = [row for row in _asked(body) if found.chairs_at(row) and is_sat_at(found.assets[row])]
+    rows = [row for row in _asked(body).tolist() if found.chairs_at(row) and is_sat_at(found.assets[row])]
     if not rows:
         return None
     width, name = max((max(knee_width(found.assets[row], side) for side in SIDES), found.names[row]) for row in rows)
