@@ -146,7 +146,7 @@ def _lift(asset: Asset) -> float:
 @lru_cache(maxsize=4096)
 def prisms_at(asset: Asset, place: Place) -> tuple[NDArray[np.object_], NDArray[np.float64], NDArray[np.float64]]:
     """Return the prisms of a placed asset: outlines in plan, and between which heights each stands, metres."""
-    ring, low, high = _prism_table(asset)
+    ring, low, high = prism_table(asset)
     bottom = place[2] - asset.size[2] / 2
     return np.asarray(shapely.polygons(in_plan(ring, place)), dtype=object), low + bottom, high + bottom
 
@@ -154,7 +154,7 @@ def prisms_at(asset: Asset, place: Place) -> tuple[NDArray[np.object_], NDArray[
 @lru_cache(maxsize=4096)
 def _base(asset: Asset, place: Place) -> Any:
     """Return the hull of a placed asset's lowest prisms, or of the loop that it hangs by."""
-    ring, low, _ = _prism_table(asset)
+    ring, low, _ = prism_table(asset)
     if category_of(asset).hangs:
         x, y = JUDGE.loop
         return shapely.polygons(in_plan(np.array([(x, -y), (x, y), (-x, y), (-x, -y)]), place))
@@ -204,7 +204,7 @@ def _shared_base(upper: Asset, place: Place, lower: Asset, under: Place) -> Any:
 
 
 @lru_cache(maxsize=1024)
-def _prism_table(asset: Asset) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
+def prism_table(asset: Asset) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
     """Return the outlines (k, 8, 2) of an asset's prisms in its frame, and where they begin and end above its bottom."""
     shape = prisms_of(asset)
     ends = np.array([(prism.low, prism.high) for prism in shape])

@@ -174,9 +174,8 @@ class Lattice:
                 there = here + move.step[0] * self._grid.shape[1] + move.step[1]
                 edges.append((k * count + here, turned * count + there, move.cost))
                 stands[k, here] = stands[turned, there] = True
-        for k in range(TURNS):
-            here = np.flatnonzero(stands[k] & stands[(k + half) % TURNS])
-            edges.append((k * count + here, (k + half) % TURNS * count + here, LATTICE.reversal))
+        k, here = np.nonzero(stands & np.roll(stands, half, axis=0))
+        edges.append((k * count + here, (k + half) % TURNS * count + here, LATTICE.reversal))
         before, after = (np.concatenate(ends) for ends in list(zip(*edges, strict=True))[:2])
         return before, after, np.concatenate([np.full(len(rows), cost) for rows, _, cost in edges])
 

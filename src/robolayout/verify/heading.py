@@ -128,7 +128,7 @@ class Headings:
         found: list[Region] = []
         for k, heading in enumerate(self.headings):
             body = rectangle(self._agent, heading)
-            spaces = (_empty(self._room, _key(body)), MultiPolygon(self._pieces(k)), self.space.standing[k])
+            spaces = (_empty(self._room, body.tobytes()), MultiPolygon(self._pieces(k)), self.space.standing[k])
             parts = opened(self._blocking, rows, spaces, partial(_larger, body), self._agent.circumradius)
             found += [(heading, part) for part in parts]
         return tuple(found)
@@ -213,7 +213,7 @@ def convex_places(room: Room, shapes: NDArray[np.object_], body: NDArray[np.floa
 
 def free_of(room: Room, shapes: NDArray[np.object_], body: NDArray[np.float64]) -> BaseGeometry:
     """Return where the reference point of a convex body (m, 2) may be among rectangles."""
-    free = _empty(room, _key(body))
+    free = _empty(room, body.tobytes())
     return free.difference(shapely.union_all(_larger(body, shapes))) if len(shapes) else free
 
 
@@ -223,15 +223,11 @@ def _larger(body: NDArray[np.float64], shapes: NDArray[np.object_], more: float 
     return grown(corners, body + np.copysign(more, body) if more else body)
 
 
-def _key(body: NDArray[np.float64]) -> tuple[tuple[float, ...], ...]:
-    return tuple(map(tuple, body.tolist()))
-
-
 @lru_cache(maxsize=256)
-def _empty(room: Room, body: tuple[tuple[float, ...], ...]) -> BaseGeometry:
-    """Return where the centre of a convex body may be in the empty room; the same for every layout of it."""
+def _empty(room: Room, body: bytes) -> BaseGeometry:
+    """Return where the centre of a convex body, corners (m, 2) as bytes, may be in the empty room; the same for every layout."""
     walls = np.array([(wall.start, wall.end) for wall in room.walls])
-    return room_polygon(room).difference(shapely.union_all(grown(walls, np.array(body))))
+    return room_polygon(room).difference(shapely.union_all(grown(walls, np.frombuffer(body).reshape(-1, 2))))
 
 
 def find_drives(room: Room, space: HeadingSpace, stands: Mapping[str, Point]) -> dict[str, Drive]:

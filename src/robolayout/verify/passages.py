@@ -8,6 +8,7 @@ on a lattice of 5 mm; the place is where the widest disc's way is cut when the d
 from __future__ import annotations
 
 import math
+from bisect import bisect_left
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cache, partial
@@ -57,11 +58,7 @@ class Passage:
 
 def largest(holds: Callable[[int], bool], top: int) -> int:
     """Return the largest step in 1..top for which a falling property holds; 0 if none."""
-    low, high = 0, top + 1
-    while high - low > 1:
-        middle = (low + high) // 2
-        low, high = (middle, high) if holds(middle) else (low, middle)
-    return low
+    return top - bisect_left(range(top, 0, -1), True, key=holds)
 
 
 class Passages:

@@ -18,9 +18,8 @@ import shapely
 from numpy.typing import NDArray
 
 from robolayout._text import TOLD
-from robolayout.assets import prisms_of
 from robolayout.scene import ROUNDING, Agent, Asset, Layout, Opening, Pose, Room, Scene
-from robolayout.verify._boxes import landings, room_polygon
+from robolayout.verify._boxes import landings, prism_table, room_polygon
 from robolayout.verify._obstacles import NOTHING
 from robolayout.verify._space import disc_space, reached_by
 from robolayout.verify.limits import FINE, JUDGE
@@ -179,9 +178,9 @@ def overfull(scene: Scene) -> tuple[str, ...]:
 @lru_cache(maxsize=1024)
 def _filled(asset: Asset) -> NDArray[np.float64]:
     """Return how many square metres an asset that stands on the floor fills at each of `HEIGHTS`."""
-    shape, slack = prisms_of(asset), JUDGE.height
-    rings = np.array([prism.outline for prism in shape])
-    there = np.array([(p.low + slack - 1e-9 <= HEIGHTS) & (p.high - slack + 1e-9 >= HEIGHTS) for p in shape])
+    rings, low, high = prism_table(asset)
+    slack = JUDGE.height - 1e-9
+    there = (low[:, None] + slack <= HEIGHTS) & (high[:, None] - slack >= HEIGHTS)
     sets, which = np.unique(there, axis=1, return_inverse=True)
     areas = [shapely.union_all(shapely.polygons(rings[some])).area if some.any() else 0.0 for some in sets.T]
     return np.array(areas)[which.reshape(-1)]

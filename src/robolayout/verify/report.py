@@ -102,11 +102,7 @@ class Report:
     @cached_property
     def figures(self) -> dict[str, float | bool]:
         """The figures of DESIGN section 8, by name, in its order."""
-        worst = {
-            name: min(report.figures[name] for report in self.agents)
-            for name in ("walkable_ratio", "reachable_share", "reachable_share_chairs_aside", "usable_share")
-        }
-        shares = self.physics.shares
+        shares, bodies = self.physics.shares, [report.figures for report in self.agents]
         return {
             "placed_share": shares["placed_share"],
             "collision_free_share": shares["collision_free_share"],
@@ -116,7 +112,7 @@ class Report:
             "supported_share": shares["supported_share"],
             "door_clear": self.physics.door_clear,
             "doors_reached": all(report.doors_reached for report in self.agents),
-            **worst,
+            **{name: min(figures[name] for figures in bodies) for name in bodies[0]},
             "statements_met_share": share([item.met for item in self.statements]),
             **({"stable_share": float(self.stability["stable_share"])} if self.stability else {}),
         }

@@ -22,7 +22,7 @@ from numpy.typing import NDArray
 from shapely import Polygon
 from shapely.geometry.base import BaseGeometry
 
-from robolayout.assets import Joint, sweeps_of
+from robolayout.assets import sweeps_of
 from robolayout.scene import ROUNDING, Agent, Asset, Hold, Layout, Point, Scene
 from robolayout.scene.agent import BODY, horizontal_reach
 from robolayout.verify._approaches import approaches, by_hand, handles, needs_no_use, swept
@@ -99,8 +99,7 @@ class Usage:
 
     def too_high(self, name: str) -> bool:
         """Return whether nothing to take hold of is at a height that the agent reaches, wherever in the plan it stands."""
-        row = self._found.names.index(name)
-        return self._reach(row) is None or not self._ways.of(row)
+        return not self._ways.of(self._found.names.index(name))
 
     @cached_property
     def uses(self) -> Mapping[str, Use]:
@@ -269,23 +268,18 @@ class Usage:
         """What keeps assets from being opened, by row."""
         found = self._found
         rows, zones, heights = swept(found, (row for row, side in self._each if side == "front"))
-        room = room_polygon(self._nav.scene.room)
-        shapely.prepare((room, *zones))
-        blockers = {row: list[str]() for row in rows.tolist()}
-        for k in np.flatnonzero(~shapely.covers(room, zones)).tolist():
-            if zones[k].difference(room).area > JUDGE.area:
-                blockers[int(rows[k])].append("the wall")
+        shapely.prepare(zones)
+        outside = shapely.area(shapely.difference(zones, room_polygon(self._nav.scene.room))) > JUDGE.area
         others = np.flatnonzero(found.placed & ~found.flat & ~found.movable)
         low, high = np.maximum(found.bottom[others], heights[:, :1]), np.minimum(found.top[others], heights[:, 1:])
-        near = (
-            (high - low > 0.01)
-            & shapely.intersects(zones[:, None], found.footprints[others])
-            & (others != rows[:, None])
-        )
-        at, what = np.nonzero(near)
+        level = (high - low > 0.01) & (others != rows[:, None])
+        at, what = np.nonzero(level & shapely.intersects(zones[:, None], found.footprints[others]))
         inside = shared_area(found.footprints[others[what]], zones[at]) > JUDGE.area
-        for k, other in zip(at[inside].tolist(), others[what[inside]].tolist(), strict=True):
-            blockers[int(rows[k])].append(found.names[other])
+        met = [(k, "the wall") for k in np.flatnonzero(outside)]
+        met += [(k, found.names[other]) for k, other in zip(at[inside], others[what[inside]], strict=True)]
+        blockers = {row: list[str]() for row in rows.tolist()}
+        for k, name in met:
+            blockers[int(rows[k])].append(name)
         return {row: tuple(dict.fromkeys(names)) for row, names in blockers.items()}
 
     def _use(self, row: int) -> Use:
@@ -304,13 +298,10 @@ class Usage:
         names = tuple(self._found.names[i] for i in moved)
         place = (float(spot[0]), float(spot[1]))
         hands = by_hand(self._found, self.agent, row) if side == "front" else ()
-        away = {joint.name: self._to_handle(row, joint, place) for joint, _ in hands}
+        frame, here = self._found.where(row)[1], shapely.Point(place)
+        away = {joint.name: in_room(shapely.Point(joint.handle[:2]), frame).distance(here) for joint, _ in hands}
         nearest = min(away, key=lambda joint: (away[joint], joint), default="")
         return Use(name, True, side, place, "", names, nearest, self._approach[number])
-
-    def _to_handle(self, row: int, joint: Joint, place: Point) -> float:
-        """Return how many metres a place is in plan from a handle."""
-        return in_room(shapely.Point(joint.handle[:2]), self._found.where(row)[1]).distance(shapely.Point(place))
 
     def _holds(self, row: int) -> tuple[Hold, ...]:
         """Return how the body opens each door and drawer whose handle is at a height that it reaches."""
@@ -343,15 +334,12 @@ class Usage:
         """Return the assets, one aside, of which such obstacles are parts."""
         return tuple(self._found.names[other] for other in np.unique(self._nav.blocking.rows[near]) if other != row)
 
-    def _reach(self, row: int) -> float | None:
-        """Return how far the agent reaches at an asset's height in metres."""
-        return horizontal_reach(self.agent, float(self._found.bottom[row]), float(self._found.top[row]))
-
     def _reason(self, row: int) -> str:
         agent, found = self.agent, self._found
-        reach = self._reach(row)
+        bottom, top = float(found.bottom[row]), float(found.top[row])
+        reach = horizontal_reach(agent, bottom, top)
         if reach is None:
-            return _height_reason(agent, float(found.bottom[row]), float(found.top[row]))
+            return _height_reason(agent, bottom, top)
         numbers = self._ways.of(row)
         if not numbers:
             held = [joint.hold for joint, _ in handles(found, agent, row)]

@@ -15,8 +15,7 @@ from typing import Any
 import numpy as np
 import shapely
 from numpy.typing import NDArray
-from shapely import MultiPoint, Polygon
-from shapely.geometry.base import BaseGeometry
+from shapely import LineString, MultiPoint, Polygon
 
 from robolayout._grid import components
 from robolayout.scene import Layout, Opening, Room, Scene
@@ -137,11 +136,9 @@ def accessibility(scene: Scene, found: Boxes) -> dict[str, float]:
     return scores
 
 
-def _side_zone(footprint: Polygon, side: str) -> BaseGeometry:
-    edge = side_edge(footprint, side)
-    return strip(edge, SCENEEVAL.side_gap + SCENEEVAL.side_depth).difference(
-        strip(edge, SCENEEVAL.side_gap).buffer(1e-12, cap_style="flat")
-    )
+def _side_zone(footprint: Polygon, side: str) -> Polygon:
+    gap = shapely.get_coordinates(strip(side_edge(footprint, side), SCENEEVAL.side_gap))
+    return strip(LineString(gap[1:3]), SCENEEVAL.side_depth)
 
 
 def _out_of_bounds(scene: Scene, found: Boxes, row: int) -> bool:
