@@ -113,6 +113,10 @@ class Boxes:
         """Return by how many metres an asset's centre of mass lies too far out over what it lies on; 0 or less where it stands."""
         return _overhang(*self.where(row), tuple(map(self.where, carriers)))
 
+    def by_name(self, values: NDArray[Any]) -> dict[str, Any]:
+        """Return values (n,), one of each asset, by its name."""
+        return dict(zip(self.names, values.tolist(), strict=True))
+
     def where(self, row: int) -> tuple[Asset, Place]:
         """Return an asset and where it stands."""
         x, y, z, yaw = self.poses[row].tolist()

@@ -57,8 +57,8 @@ NOTHING = Obstacles(np.empty(0, dtype=np.intp), _NO_SHAPES, _NO_FLAGS, _NO_FLAGS
 
 def obstacles(found: Boxes, agent: Agent) -> Obstacles:
     """Return what stands in a body's way among the placed assets; rugs never do."""
-    high_enough = (found.top > agent.step + 1e-9) & (found.bottom < agent.height - 1e-9)
-    met = np.flatnonzero(found.placed & ~found.flat & high_enough)
+    at_height = (found.top > agent.step + 1e-9) & (found.bottom < agent.height - 1e-9)
+    met = np.flatnonzero(found.placed & ~found.flat & at_height)
     spans = [(round(agent.step - z, 6), round(agent.height - z, 6)) for z in found.bottom[met].tolist()]
     pieces = [part_rectangles(found.assets[row], *span) for row, span in zip(met, spans, strict=True)]
     inner = [rectangles for rectangles in pieces if rectangles is not None]

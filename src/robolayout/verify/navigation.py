@@ -143,7 +143,7 @@ class Navigation:
     @cached_property
     def routes(self) -> Mapping[str, Route]:
         """A short collision-free way to every asset that is reached and stands or hangs within the walls."""
-        feet = dict(zip(self.boxes.names, self.boxes.footprints, strict=True))
+        feet = self.boxes.by_name(self.boxes.footprints)
         goals = {name: feet[name] for name in self._wanted if self.reached[name]}
         return find_routes(self.scene.room, self.space, goals)
 
@@ -180,16 +180,8 @@ def navigation(scene: Scene, layout: Layout, agent: Agent | None = None) -> Navi
     space = disc_space(scene.room, blocking, agent.radius)
     distances = plan_distances(found, space, agent.reach)
     reached = reached_rows(found, distances, agent.reach)
-    return Navigation(
-        scene=scene,
-        layout=layout,
-        agent=agent,
-        space=space,
-        distances=dict(zip(found.names, distances.tolist(), strict=True)),
-        reached=dict(zip(found.names, reached.tolist(), strict=True)),
-        boxes=found,
-        blocking=blocking,
-    )
+    by_name = found.by_name(distances), found.by_name(reached)
+    return Navigation(scene, layout, agent, space, *by_name, found, blocking)
 
 
 def misfits(room: Room, number: int, agent: Agent) -> Iterator[str]:

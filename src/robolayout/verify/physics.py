@@ -102,7 +102,7 @@ def physics(scene: Scene, layout: Layout) -> Physics:
     sentences += [_outside_sentence(scene, found, int(row)) for row in np.flatnonzero(found.placed & ~inside)]
     sentences += [_floating_sentence(scene, found, int(row)) for row in np.flatnonzero(found.placed & ~held)]
     sentences += [f"{o.asset} takes {o.area:.2f} m2 of the landing of door {o.door}." for o in blocked]
-    verdicts = {name: dict(zip(found.names, flags.tolist(), strict=True)) for name, flags in checks.items()}
+    verdicts = {name: found.by_name(flags) for name, flags in checks.items()}
     return Physics(collisions=pairs, obstructions=blocked, reasons=tuple(sentences), **verdicts)
 
 

@@ -68,7 +68,7 @@ class Usage:
         usable = self._plain & self._driven
         usable |= self._standing if self._driven.all() else self._aside(usable)
         usable[[row for row in np.flatnonzero(usable).tolist() if self._shut(row)]] = False
-        return dict(zip(self._found.names, usable.tolist(), strict=True))
+        return self._found.by_name(usable)
 
     @property
     def usable_share(self) -> float:
@@ -78,7 +78,7 @@ class Usage:
     @property
     def standing(self) -> Mapping[str, bool]:
         """By asset, whether it could stand where it uses it, however it drives there and whatever it opens."""
-        return dict(zip(self._found.names, self._standing.tolist(), strict=True))
+        return self._found.by_name(self._standing)
 
     @cached_property
     def undriven(self) -> tuple[str, ...]:
