@@ -24,7 +24,7 @@ from robolayout.program import Program, Statement, read_program
 from robolayout.scene import Asset, Layout, Opening, Pose, Room, Scene
 from robolayout.solve import Problem, Weights, compile_problem
 from robolayout.solve.arrays import Arrays
-from robolayout.solve.objective import everything, losses
+from robolayout.solve.search import everything, losses
 from robolayout.solve.stage import make_stage, no_routes
 
 STARTS, SLOTS = 16, 8

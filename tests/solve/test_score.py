@@ -12,8 +12,8 @@ from solve_rooms import BED, FURNISHED, L_SHAPED, LAMP, PICTURE, RUG, STANDS, pr
 from robolayout.scene import Asset, Room
 from robolayout.solve import Problem, Weights
 from robolayout.solve.arrays import Arrays
-from robolayout.solve.objective import everything, losses, total
 from robolayout.solve.score import Score
+from robolayout.solve.search import everything, losses, total
 from robolayout.solve.stage import Stage, make_stage, no_routes
 from robolayout.verify import physics
 

@@ -106,7 +106,7 @@ def test_padding_asks_for_nothing() -> None:
     arrays = arrays_of(room_of(BED))
     assert not arrays.frame_row[:, -1].any() and not arrays.mirror_weight.any() and not arrays.pairs.any()
     assert arrays.free.tolist() == [[1.0, 1.0, 0.0]] + [[0.0] * 3] * 7
-    assert (no_routes(2, 3).need < 0).all()
+    assert (no_routes(2, 3)[..., 3] < 0).all()
 
 
 def test_only_what_the_rectangle_around_the_room_does_not_hold_is_asked_to_stay_inside() -> None:
@@ -117,7 +117,7 @@ def test_only_what_the_rectangle_around_the_room_does_not_hold_is_asked_to_stay_
 
 
 def test_free_ways_ask_for_nothing() -> None:
-    assert (no_routes(2, 3).need < 0).all()
+    assert (no_routes(2, 3)[..., 3] < 0).all()
 
 
 def test_a_fixed_point_is_kept() -> None:

@@ -1,14 +1,31 @@
-"""The arrays that a compiled search takes: everything about a scene is data, padded to a few sizes.
+"""The arrays that a compiled search takes, and what single terms of the objective make of them, for NumPy and JAX alike.
 
-Below, the fields say the shapes: K starts, A asset slots, F fixed bodies, S prisms, P pairs, R frame rows, M mirror rows, G clear
-boxes, E room edges, Q inner corners, T route points.
+Everything about a scene is data, padded to a few sizes; the fields say the shapes: K starts, A asset slots, F fixed bodies, S
+prisms, P pairs, R frame rows, M mirror rows, G clear boxes, E room edges, Q inner corners. Terms are told of rows by the indices
+of what these are about, and `take` says where that stands: in each of a batch of layouts, or at each pose that one thing might
+have among others that stay.
 """
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from collections.abc import Callable
+from typing import Any, NamedTuple
 
-from robolayout._geometry import Array
+import numpy as np
+
+from robolayout._geometry import (
+    Array,
+    Body,
+    FrameRow,
+    backend,
+    corners,
+    frame_residual,
+    mirror_residual,
+    penetration,
+    point_to_box,
+    signed_distance,
+)
+from robolayout.solve.config import Weights
 
 
 class Arrays(NamedTuple):
@@ -43,22 +60,6 @@ class Near(NamedTuple):
     clears: Array  # (C, 2) clear box and slot, or (K, C, 2) each start's own
 
 
-class Routes(NamedTuple):
-    """What must not stand in the way, per start."""
-
-    point: Array  # (K, T, 2) points of routes in metres
-    slot: Array  # (K, T) slot that is near the point
-    need: Array  # (K, T) metres that the slot must keep from the point; 0 for padding
-
-
-class Schedule(NamedTuple):
-    """How one run of the search goes (all scalars)."""
-
-    steps: Array  # number of steps
-    rate: Array  # first step size of positions (metres) and headings
-    final_rate: Array  # last step size
-
-
 class Losses(NamedTuple):
     """The terms of the objective for each start, each (K,)."""
 
@@ -75,12 +76,88 @@ SNAPSHOTS = 40
 HISTORY = 512
 """Steps whose losses one run records."""
 
+Take = Callable[[Array], Body]
+"""Gives the bodies of those indices: the same (M,) for every start, or (starts, M) each start's own."""
 
-class Found(NamedTuple):
-    """What a run returns."""
 
-    local: Array  # (K, A, 4) variables
-    world: Array  # (K, A, 4) poses in the room
-    losses: Losses  # terms per start, at full weights
-    history: Array  # (HISTORY, 5) terms of the start with the lowest final objective, unused rows 0
-    shots: Array  # (SNAPSHOTS, A, 4) poses of that start, evenly spaced over the steps
+def hard(depth: Array, weights: Weights) -> Array:
+    """Return d^2 + hinge d for a depth of violation in metres."""
+    return depth * depth + weights.hinge * depth
+
+
+def hard_part(parts: Losses, weights: Weights, routes: Array | float = 1.0) -> Array:
+    """Return the weighted sum of the hard terms per start, that of the routes scaled by `routes`."""
+    kept = weights.overlap * parts.overlap + weights.inside * parts.boundary
+    return kept + weights.clear * parts.clear + weights.routes * routes * parts.reachability
+
+
+def yielding(box: Body, move: Array | float) -> Body:
+    """Return the same boxes, with the gradient along their pose scaled by `move`: 0 holds them, 1 changes nothing."""
+    if backend(box.x) is np:
+        return box
+    from jax.lax import stop_gradient
+
+    def scaled(value: Array) -> Array:
+        still = stop_gradient(value)
+        return still + move * (value - still)
+
+    return box._replace(x=scaled(box.x), y=scaled(box.y), c=scaled(box.c), s=scaled(box.s))
+
+
+def statement_residuals(take: Take, rows: Any, loose: Array | float = 0.0) -> tuple[Array, Array]:
+    """Return the residuals of all frame rows (starts, R) and mirror rows (starts, M) of arrays, unweighted.
+
+    What a statement refers to yields as far as `loose` says: 0 where only the row itself says who moves, 1 wholly.
+    """
+    row = FrameRow(*rows.frame_row.T)
+    xp = backend(row.weight)
+    a = yielding(take(rows.frame_index[:, 0]), xp.maximum(row.move_a, loose))
+    b = yielding(take(rows.frame_index[:, 1]), xp.maximum(row.move_b, loose))
+    left, right, axis = (take(index) for index in rows.mirror_index.T)
+    return frame_residual(a, b, row), mirror_residual(left, right, yielding(axis, loose), rows.mirror_normal)
+
+
+def statement_losses(take: Take, arrays: Arrays, weights: Weights) -> Array:
+    """Return the weighted sum (starts,) of s log(1 + r / s) of all residuals: one that cannot be met stops pulling at the others."""
+    framed, mirrored = statement_residuals(take, arrays)
+    xp, most = backend(framed), weights.saturation
+    pull = xp.sum(most * xp.log1p(framed / most) * arrays.frame_row[:, -1], axis=-1)
+    return pull + xp.sum(most * xp.log1p(mirrored / most) * arrays.mirror_weight, axis=-1)
+
+
+def boundary_depths(slots: Body, arrays: Arrays) -> Array:
+    """Return by how many metres each slot leaves the room: corners outside, or inner corners inside it."""
+    xp = backend(slots.x)
+    px, py = corners(slots)
+    outside = xp.maximum(signed_distance(px, py, arrays.edges), 0.0)
+    spread = Body(*(field[..., None] for field in slots))
+    pierced = xp.maximum(-point_to_box(arrays.inner[:, 0], arrays.inner[:, 1], spread), 0.0)
+    return xp.sum(outside, axis=-1) + xp.sum(pierced, axis=-1)
+
+
+def clear_depths(take: Take, arrays: Arrays, clears: Array, weights: Weights) -> Array:
+    """Return by how many metres slots are in clear boxes, for pairs (..., 2) of a box and a slot."""
+    boxes = clears[..., 0]
+    strips = within(take(arrays.clear_owner[boxes]), arrays.clear_box[boxes])
+    return penetration(strips, take(clears[..., 1]), weights.margin)
+
+
+def route_depths(take: Take, demands: Array) -> Array:
+    """Return by how many metres each route point lacks clearance from its slot (starts, T); see `Plan.demands`."""
+    x, y, slot, need = (demands[..., i] for i in range(4))
+    short = need - point_to_box(x, y, take(slot.astype("int32")))
+    return backend(short).maximum(short, 0.0)
+
+
+def within(owner: Body, box: Array) -> Body:
+    """Return boxes, rows (..., n, 4 or more) of centre and half size in the frames of their owners, where these are."""
+    xp = backend(owner.x)
+    cx, cy, hx, hy = (box[..., i] for i in range(4))
+    x = owner.x + owner.c * cx - owner.s * cy
+    return owner._replace(
+        x=x,
+        y=owner.y + owner.s * cx + owner.c * cy,
+        hx=xp.broadcast_to(hx, x.shape),
+        hy=xp.broadcast_to(hy, x.shape),
+        core=xp.zeros_like(x),
+    )

@@ -28,11 +28,6 @@ VARIABLE = "ROBOLAYOUT_CACHE"
 MOST_BYTES = 200_000_000
 """Size of the folder from which on the entries unused for longest are removed."""
 
-LARGEST_ENTRY = 100_000_000
-"""Bytes of the largest entry that is read, compressed or not."""
-
-MAGIC = b"robolayout-program-1\n"
-
 
 def cache_folder() -> Path | None:
     """Return the folder, made if need be; None (with a warning) if it cannot be used safely.
@@ -57,11 +52,9 @@ def cache_folder() -> Path | None:
 def _default_folder() -> Path:
     if os.environ.get("XDG_CACHE_HOME"):
         return Path(os.environ["XDG_CACHE_HOME"], "robolayout")
-    if sys.platform == "darwin":
-        return Path.home() / "Library" / "Caches" / "robolayout"
     if sys.platform == "win32" and os.environ.get("LOCALAPPDATA"):
         return Path(os.environ["LOCALAPPDATA"], "robolayout", "cache")
-    return Path.home() / ".cache" / "robolayout"
+    return Path.home() / ("Library/Caches" if sys.platform == "darwin" else ".cache") / "robolayout"
 
 
 def _fault(folder: Path) -> str | None:
@@ -69,12 +62,15 @@ def _fault(folder: Path) -> str | None:
     found = folder.lstat()
     if not stat.S_ISDIR(found.st_mode):
         return "is a link or no folder"
-    if hasattr(os, "geteuid"):
-        if found.st_uid != os.geteuid():
-            return "belongs to another user"
-        if found.st_mode & (stat.S_IWGRP | stat.S_IWOTH):
-            return "may be written to by others"
+    if _foreign(found):
+        return "belongs to another user"
+    if hasattr(os, "geteuid") and found.st_mode & (stat.S_IWGRP | stat.S_IWOTH):
+        return "may be written to by others"
     return None
+
+
+def _foreign(found: os.stat_result) -> bool:
+    return hasattr(os, "geteuid") and found.st_uid != os.geteuid()
 
 
 @cache
@@ -116,61 +112,42 @@ def _source_hash() -> str:
     return hashlib.sha256(b"\0".join(file.read_bytes() for file in files)).hexdigest()
 
 
+def _entry(key: str) -> Path | None:
+    """Return the file of an entry; None where nothing is kept."""
+    folder = cache_folder()
+    return folder and folder / f"{key}.xla"
+
+
 def read_entry(key: str) -> tuple[dict[str, Any], bytes] | None:
     """Return what an entry says of its program, and its machine code; None if there is none that is whole and the user's."""
-    folder = cache_folder()
-    if folder is None:
-        return None
-    path = folder / f"{key}.xla"
-    try:
-        descriptor = os.open(path, os.O_RDONLY | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_BINARY", 0))
-        with os.fdopen(descriptor, "rb") as file:
-            found = os.fstat(descriptor)
-            if hasattr(os, "geteuid") and found.st_uid != os.geteuid():
-                return None
-            data = file.read(LARGEST_ENTRY)
-        with suppress(OSError):
-            os.utime(path)
-    except OSError:
-        return None
-    return _unpacked(data)
-
-
-def _unpacked(data: bytes) -> tuple[dict[str, Any], bytes] | None:
-    digest, body = data[len(MAGIC) : len(MAGIC) + 32], data[len(MAGIC) + 32 :]
-    if not data.startswith(MAGIC) or hashlib.sha256(body).digest() != digest:
-        return None
-    content = zlib.decompressobj().decompress(body, LARGEST_ENTRY)
-    head, _, code = content.partition(b"\n")
-    return json.loads(head), code
+    path = _entry(key)
+    with suppress(OSError, zlib.error):
+        if path is not None and not _foreign(path.lstat()):
+            head, _, code = zlib.decompress(path.read_bytes()).partition(b"\n")
+            with suppress(OSError):
+                os.utime(path)
+            return json.loads(head), code
+    return None
 
 
 def has_entry(key: str) -> bool:
     """Return whether there is an entry, without a look at it."""
-    folder = cache_folder()
-    return folder is not None and (folder / f"{key}.xla").is_file()
+    path = _entry(key)
+    return path is not None and path.is_file()
 
 
 def write_entry(key: str, about: dict[str, Any], code: bytes) -> None:
     """Keep a program for later processes; a folder that cannot be written to costs a warning, nothing more."""
-    folder = cache_folder()
-    if folder is None:
+    path = _entry(key)
+    if path is None:
         return
-    body = zlib.compress(json.dumps(about).encode() + b"\n" + code, 1)
     try:
-        write_atomic(folder / f"{key}.xla", MAGIC + hashlib.sha256(body).digest() + body)
+        write_atomic(path, zlib.compress(json.dumps(about).encode() + b"\n" + code, 1))
     except OutputError as error:
         _warn(str(error))
-    _prune(folder)
-
-
-def _prune(folder: Path) -> None:
-    """Remove the entries unused for longest, until the folder is small enough."""
     with suppress(OSError):
-        entries = sorted((entry.stat().st_mtime, entry.name, entry.stat().st_size) for entry in folder.glob("*.xla"))
-        excess = sum(size for _, _, size in entries) - MOST_BYTES
-        for _, name, size in entries:
-            if excess <= 0:
-                break
-            (folder / name).unlink(missing_ok=True)
-            excess -= size
+        kept = 0
+        for entry in sorted(path.parent.glob("*.xla"), key=lambda file: file.stat().st_mtime, reverse=True):
+            kept += entry.stat().st_size
+            if kept > MOST_BYTES:
+                entry.unlink(missing_ok=True)

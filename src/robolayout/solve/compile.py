@@ -113,19 +113,15 @@ class Problem:
     @cached_property
     def wall_terms(self) -> tuple[FrameTerm, ...]:
         """Rows that hold wall things, which no statement puts on a wall, at the wall nearest to their guess."""
-        rows = (row for row in self.statement_terms if isinstance(row, FrameTerm))
-        held = {row.a for row in rows if isinstance(row.b, WallRef)}
-        walls = self.scene.room.walls
+        held = {row.a for row in self.statement_terms if isinstance(row, FrameTerm) and isinstance(row.b, WallRef)}
         found: list[FrameTerm] = []
-        for asset in self.scene.assets:
-            ref = AssetRef(asset.name)
-            if not asset.on_wall or asset.on_floor or self.parent[self.slot[asset.name]] >= 0 or ref in held:
-                continue
-            pose = self.guess[asset.name]
-            wide = [w for w in walls if w.length >= asset.size[1]] or list(walls)
-            off = [abs((pose.x - w.start[0]) * w.normal[0] + (pose.y - w.start[1]) * w.normal[1]) for w in wide]
-            nearest = wide[off.index(min(off))]
-            found.append(wall_term(ref, WallRef(nearest.index), self.scene, 2.0))
+        for asset, carrier in zip(self.scene.assets, self.parent, strict=True):
+            ref, (x, y) = AssetRef(asset.name), self.guess[asset.name].at
+            if asset.on_wall and not asset.on_floor and carrier < 0 and ref not in held:
+                wide = [wall for wall in self.scene.room.walls if wall.length >= asset.size[1]] or self.scene.room.walls
+                off = [abs((x - w.start[0]) * w.normal[0] + (y - w.start[1]) * w.normal[1]) for w in wide]
+                nearest = wide[off.index(min(off))]
+                found.append(wall_term(ref, WallRef(nearest.index), self.scene, 2.0))
         return tuple(found)
 
     def movable(self, number: int) -> tuple[int, ...]:
@@ -177,35 +173,34 @@ def compile_problem(
         pinned: Poses that must stay.
         built: Poses of such things, where they are known.
     """
-    relations = tuple(statement.relation for statement in program.statements) if program else ()
-    guesses = dict(program.guesses) if program else {}
-    said = tuple(a.name for a in scene.assets if a.name in guesses and guesses[a.name].position is not None)
-    guesses |= _missing(scene, program or Program(), pinned or {}, seed) if built is None else _guesses(built, guesses)
-    plan = {name: (*guess.position[:2], guess.yaw or 0.0) for name, guess in guesses.items() if guess.position}
-    parents = _parents(scene, relations, plan)
-    _rest(scene, {name: guesses[name] for name in said}, parents)
-    resting = _resting(scene, relations, parents)
-    heights = _heights(scene, relations, guesses, parents, resting)
+    program, pinned = program or Program(), dict(pinned or {})
+    relations = tuple(statement.relation for statement in program.statements)
+    wishes = tuple(one.relation for one in program.wishes if isinstance(one.relation, TOGETHER))
+    guesses = ((asset.name, program.guesses.get(asset.name, Guess())) for asset in scene.assets)
+    said = {name: Pose(*guess.position, guess.yaw or 0.0) for name, guess in guesses if guess.position is not None}
+    if built is None:
+        x0, y0, x1, y1 = scene.room.bounds
+        built = Layout({name: p for name, p in said.items() if x0 < p.x < x1 and y0 < p.y < y1} | pinned)
+        if len(said.keys() | pinned.keys()) < len(scene.assets):
+            built = furnished(scene, program, built, seed)
+    poses = {**built, **said}
+    parents = _parents(scene, relations, poses, said)
+    on = {r.a.name: r.place(scene) for r in relations if isinstance(r, OnTopOf) and parents.get(r.a.name) == r.b.name}
+    usual = {a: resting_place(scene.by_name[b], scene.by_name[a]) for a, b in parents.items() if a not in on}
+    resting = on | usual
+    heights = _heights(scene, relations, poses, parents, resting)
     index = {asset.name: i for i, asset in enumerate(scene.assets)}
-    poses = {name: Pose(*plan[name][:2], heights[name], plan[name][2]) for name in index}
     return Problem(
         scene,
         relations,
-        Layout(poses | dict(pinned or {})),
-        tuple(index.get(parents.get(asset.name, ""), -1) for asset in scene.assets),
-        tuple(_depth(asset.name, parents) for asset in scene.assets),
-        frozenset(pinned or ()),
-        said,
-        tuple(resting.get(asset.name) for asset in scene.assets),
-        tuple(one.relation for one in program.wishes if isinstance(one.relation, TOGETHER)) if program else (),
+        Layout({name: replace(poses[name], z=heights[name]) for name in index} | pinned),
+        tuple(index.get(parents.get(name, ""), -1) for name in index),
+        tuple(_depth(name, parents) for name in index),
+        frozenset(pinned),
+        tuple(said),
+        tuple(map(resting.get, index)),
+        wishes,
     )
-
-
-def _resting(scene: Scene, relations: Iterable[Relation], parents: Mapping[str, str]) -> dict[str, Surface]:
-    """Return the surfaces on which things stand: as the program says, else the highest that can hold them."""
-    said = {r.a.name: r.place(scene) for r in relations if isinstance(r, OnTopOf) and parents.get(r.a.name) == r.b.name}
-    usual = {a: resting_place(scene.by_name[b], scene.by_name[a]) for a, b in parents.items() if a not in said}
-    return said | usual
 
 
 def _depth(name: str, parents: Mapping[str, str]) -> int:
@@ -215,68 +210,41 @@ def _depth(name: str, parents: Mapping[str, str]) -> int:
     return depth
 
 
-def _missing(scene: Scene, program: Program, pinned: Mapping[str, Pose], seed: int) -> dict[str, Guess]:
-    """Return guesses for what the program does not place: where its statements and wishes have it built, around the rest."""
-    placed = {name: guess for name, guess in program.guesses.items() if guess.position is not None}
-    left, bottom, right, top = scene.room.bounds
-    given = dict(pinned)
-    for name, guess in placed.items():
-        x, y, z = guess.position or (0.0, 0.0, 0.0)
-        if left < x < right and bottom < y < top:
-            given.setdefault(name, Pose(x, y, z, guess.yaw or 0.0))
-    if len(placed.keys() | pinned.keys()) == len(scene.assets):
-        return _guesses(Layout(given), placed)
-    return _guesses(furnished(scene, program, given, seed), placed)
-
-
-def _guesses(built: Layout, placed: Mapping[str, Guess]) -> dict[str, Guess]:
-    """Return the poses of what is built and not placed as guesses."""
-    return {name: Guess((p.x, p.y, p.z), p.yaw) for name, p in built.items() if name not in placed}
-
-
 def _parents(
-    scene: Scene, relations: Iterable[Relation], plan: Mapping[str, tuple[float, float, float]]
+    scene: Scene, relations: Iterable[Relation], poses: Mapping[str, Pose], said: Mapping[str, Pose]
 ) -> dict[str, str]:
-    """Return what each asset stands on: as the program says, else the nearest top that holds it."""
+    """Return what each asset stands on: as the program says, else the nearest top that holds it, else what its guess lies on."""
     parents: dict[str, str] = {}
-    for on in (relation for relation in relations if isinstance(relation, OnTopOf)):
-        if _depth(on.b.name, parents) < DEEPEST and on.a.name not in parents:
-            parents[on.a.name] = on.b.name
+    for on in relations:
+        if isinstance(on, OnTopOf) and _depth(on.b.name, parents) < DEEPEST:
+            parents.setdefault(on.a.name, on.b.name)
     for asset in scene.assets:
         only_on_things = asset.on_object and not (asset.on_floor or asset.on_wall or asset.on_ceiling)
         if only_on_things and asset.name not in parents:
+            here = poses[asset.name].at
             carriers = [other for other in scene.assets if _carries(other, asset) and other.name not in parents]
-            if carriers:
-                x, y, _ = plan[asset.name]
-                best = min(carriers, key=lambda o: (math.dist((x, y), plan[o.name][:2]), o.name))
+            best = min(carriers, key=lambda o: (math.dist(here, poses[o.name].at), o.name), default=None)
+            if best:
                 parents[asset.name] = best.name
+    for name, pose in said.items():
+        asset = scene.by_name[name]
+        bottom = pose.z - asset.size[2] / 2
+        if name not in parents and bottom > LEVEL and (asset.on_floor or asset.on_object):
+            free = ((other, under) for other, under in said.items() if other not in parents and other != name)
+            lower = [other for other, under in free if _lies_on(pose, bottom, scene.by_name[other], under)]
+            if lower:
+                parents[name] = lower[0]
     return parents
 
 
-def _rest(scene: Scene, guesses: Mapping[str, Guess], parents: dict[str, str]) -> None:
-    """Add what stands on another thing by its guess, centre over a surface and bottom at its height, though no statement says so."""
-    known = {name: Pose(*g.position, g.yaw or 0.0) for name, g in guesses.items() if g.position is not None}
-    for name, pose in known.items():
-        asset = scene.by_name[name]
-        bottom = pose.z - asset.size[2] / 2
-        if name in parents or bottom <= LEVEL or not (asset.on_floor or asset.on_object):
-            continue
-        for other, under in known.items():
-            if other not in parents and other != name and _lies_on(scene, pose, bottom, (other, under)):
-                parents[name] = other
-                break
-
-
-def _lies_on(scene: Scene, pose: Pose, bottom: float, lower: tuple[str, Pose]) -> bool:
+def _lies_on(pose: Pose, bottom: float, lower: Asset, under: Pose) -> bool:
     """Return whether a thing's centre is over a surface of another, its bottom at that height."""
-    name, under = lower
-    size, (c, s) = scene.by_name[name].size, under.forward
+    size, (c, s) = lower.size, under.forward
     dx, dy = pose.x - under.x, pose.y - under.y
     at = Point(c * dx + s * dy, c * dy - s * dx)
     if abs(at.x) > size[0] / 2 or abs(at.y) > size[1] / 2 or bottom > under.z + size[2] / 2 + LEVEL:
         return False
-    tops = [*surfaces_of(scene.by_name[name]), None]
-    heights = [size[2] if top is None else top.height for top in tops if top is None or top.region.intersects(at)]
+    heights = [size[2], *(top.height for top in surfaces_of(lower) if top.region.intersects(at))]
     return min(abs(under.z - size[2] / 2 + height - bottom) for height in heights) <= LEVEL
 
 
@@ -289,8 +257,8 @@ def _carries(carrier: Asset, asset: Asset) -> bool:
 
 def _heights(
     scene: Scene,
-    relations: Sequence[Relation],
-    guesses: Mapping[str, Guess],
+    relations: Iterable[Relation],
+    poses: Mapping[str, Pose],
     parents: Mapping[str, str],
     resting: Mapping[str, Surface],
 ) -> dict[str, float]:
@@ -307,7 +275,6 @@ def _heights(
         elif asset.on_ceiling:
             found[name] = ceiling - half
         else:
-            guessed = guesses[name].position or (0.0, 0.0, 0.0)
-            wanted = mounted.get(name, guessed[2] if guessed[2] > half else EYE_HEIGHT)
+            wanted = mounted.get(name, poses[name].z if poses[name].z > half else EYE_HEIGHT)
             found[name] = min(max(wanted, half), ceiling - half)
     return found

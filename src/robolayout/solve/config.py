@@ -24,11 +24,11 @@ class Weights:
 
 @dataclass(frozen=True)
 class SearchConfig:
-    """One phase of gradient search; see `Schedule`."""
+    """One phase of gradient search."""
 
     steps: int
-    rate: float
-    final_rate: float
+    rate: float  # first step size of positions (metres) and headings
+    final_rate: float  # last step size
 
 
 @dataclass(frozen=True)

@@ -1,20 +1,21 @@
 """Compiled array programs: compiled once per size and machine, then loaded in a third of a second.
 
-JAX only compiles. The machine code is kept (`cache`) and run by the runtime below JAX, so that a process that finds its
-programs in the cache never imports JAX. Where that runtime is not one that this was tested with, or a graphics card is at
-hand, JAX itself runs the program and keeps its own cache.
+JAX only compiles. The machine code is kept (`cache`) and run by the runtime below JAX (`jaxlib`), which loads in a tenth of the
+time that JAX takes, so that a process that finds its programs in the cache never imports JAX. Where that runtime is not one that
+this was tested with, or a graphics card is at hand, JAX itself runs the program and keeps its own cache.
 """
 
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Hashable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Hashable, Mapping, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
 from contextlib import suppress
 from functools import cache
 from importlib import import_module
 from importlib.util import find_spec
 from threading import Lock
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -27,7 +28,10 @@ Run = Callable[[Sequence[Leaf]], list[Leaf]]
 """A program: arrays in, arrays out, both in the order of the tuples they come from."""
 
 TESTED = ("0.10.",)
-"""Versions of the runtime whose inner interface `_native` knows."""
+"""Versions of the runtime whose inner interface `_loaded` knows."""
+
+UNUSABLE = (AttributeError, KeyError, NotImplementedError, RuntimeError, TypeError, ValueError)
+"""What loading raises when an entry or this module does not fit the runtime."""
 
 OPTIONS: dict[str, Any] = {
     # Measured on the search (16 slots, 8 starts): 4.7 s of CPU to compile and 0.22 s to run with the compiler's defaults.
@@ -36,6 +40,8 @@ OPTIONS: dict[str, Any] = {
     "xla_cpu_multi_thread_eigen": False,  # the same numbers whatever the number of processors
 }
 """What the compiler is told for processors."""
+
+os.environ.setdefault("TF_CPP_MIN_LOG_LEVEL", "1")  # as JAX does, before it is loaded: the runtime greets at level 0
 
 
 def call(target: str, *arguments: Any, **constants: Hashable) -> list[Leaf]:
@@ -52,48 +58,35 @@ def call(target: str, *arguments: Any, **constants: Hashable) -> list[Leaf]:
     return programs().future(target, arguments, constants).result()(leaves(arguments))
 
 
-def prepare(target: str, *arguments: Any, missing_only: bool = False, **constants: Hashable) -> None:
-    """Load or compile in the background what `call` with arguments of these shapes will need.
-
-    With `missing_only`, what is in the cache is left alone: loading it takes time from those who may not need it.
-    """
-    if missing_only:
-        programs().compile_missing(target, arguments, constants)
-    else:
-        programs().future(target, arguments, constants)
-
-
-class Programs:
-    """The programs of this process; whoever asks for the same one waits for the same compilation."""
+class Programs(dict[Hashable, "Future[Run]"]):
+    """The programs of this process by function, shapes and constants; whoever asks for the same one waits for the same compilation."""
 
     def __init__(self) -> None:
+        super().__init__()
         self._lock = Lock()
         self._workers = ThreadPoolExecutor(max_workers=2, thread_name_prefix="robolayout-compile")
-        self._futures: dict[Hashable, Future[Run]] = {}
 
     def future(self, target: str, arguments: tuple[Any, ...], constants: Mapping[str, Hashable]) -> Future[Run]:
         """Return the program for arguments of these shapes, to be waited for."""
         key = _key(target, arguments, constants)
         with self._lock:
-            if key not in self._futures:
-                self._futures[key] = self._workers.submit(_make, target, arguments, constants)
-            return self._futures[key]
+            if key not in self:
+                self[key] = self._workers.submit(_make, target, arguments, constants)
+            return self[key]
 
     def compile_missing(
         self, target: str, arguments: tuple[Any, ...], constants: Mapping[str, Hashable]
     ) -> Future[None]:
-        """Compile in the background what is not in the cache; return when it was looked for there."""
+        """Compile in the background what is not in the cache; return when it was looked for there.
+
+        What is there is left alone: loading it takes time from those who may not need it.
+        """
 
         def look() -> None:
             if not _native_runtime() or not has_entry(entry_key(*_key(target, arguments, constants), OPTIONS)):
                 self.future(target, arguments, constants)
 
         return self._workers.submit(look)
-
-    def keys(self) -> tuple[Hashable, ...]:
-        """Return what was asked for so far: function, shapes and constants of each program."""
-        with self._lock:
-            return tuple(self._futures)
 
 
 @cache
@@ -119,21 +112,20 @@ def _make(target: str, arguments: tuple[Any, ...], constants: Mapping[str, Hasha
     """Return a program from the cache, or compile it."""
     if not _native_runtime():
         _configure_jax()
-        return _runner(_compiled(target, arguments, constants))
-    from robolayout.solve import _native
-
+        return _compiled(target, arguments, constants)[0]
     key = entry_key(*_key(target, arguments, constants), OPTIONS)
     entry = read_entry(key)
     if entry is not None:
-        with suppress(*_native.UNUSABLE):  # then it is compiled anew and written over
-            return _native.load(*entry)
-    compiled = _compiled(target, arguments, constants)
-    write_entry(key, *_native.dump(compiled))
-    return _runner(compiled)
+        with suppress(*UNUSABLE):  # then it is compiled anew and written over
+            return _loaded(*entry)
+    run, compiled = _compiled(target, arguments, constants)
+    results = [[list(info.shape), np.dtype(info.dtype).str] for info in compiled.out_info]
+    write_entry(key, {"results": results}, compiled.runtime_executable().serialize())
+    return run
 
 
 def _native_runtime() -> bool:
-    """Return whether programs run on the processor, by a runtime that `_native` knows."""
+    """Return whether programs run on the processor, by a runtime that `_loaded` knows."""
     from jaxlib import version
 
     cards = any(find_spec(name) for name in ("jax_cuda12_plugin", "jax_cuda13_plugin", "jax_rocm7_plugin"))
@@ -152,13 +144,12 @@ def _configure_jax() -> None:
         jax.config.update("jax_persistent_cache_min_entry_size_bytes", -1)
 
 
-def _compiled(target: str, arguments: tuple[Any, ...], constants: Mapping[str, Hashable]) -> Any:
-    """Trace and compile a function for arguments of these shapes."""
+def _compiled(target: str, arguments: tuple[Any, ...], constants: Mapping[str, Hashable]) -> tuple[Run, Any]:
+    """Trace and compile a function for arguments of these shapes; return it as JAX runs it, and what JAX has of it."""
     import jax
 
     module, _, name = target.partition(":")
     function = getattr(import_module(f"robolayout.solve.{module}"), name)
-
     structure = jax.tree.structure(arguments)
 
     def flat(*values: Any) -> list[Any]:
@@ -166,20 +157,52 @@ def _compiled(target: str, arguments: tuple[Any, ...], constants: Mapping[str, H
 
     specs = [jax.ShapeDtypeStruct(leaf.shape, leaf.dtype) for leaf in leaves(arguments)]
     options = OPTIONS if jax.default_backend() == "cpu" else {}
-    with jax.enable_x64(_doubles(specs)):
-        return jax.jit(flat, keep_unused=True).lower(*specs).compile(compiler_options=options)
-
-
-def _runner(compiled: Any) -> Run:
-    import jax
+    doubles = any(
+        spec.dtype == np.float64 for spec in specs
+    )  # JAX must be told as soon as one argument works with them
+    with jax.enable_x64(doubles):
+        compiled = jax.jit(flat, keep_unused=True).lower(*specs).compile(compiler_options=options)
 
     def run(values: Sequence[Leaf]) -> list[Leaf]:
-        with jax.enable_x64(_doubles(values)):
+        with jax.enable_x64(doubles):
             return [np.asarray(value) for value in compiled(*values)]
 
+    return run, compiled
+
+
+@cache
+def _runtime() -> tuple[Any, Any, Any]:
+    """Return the runtime's client, its device, and the sharding of what lies on that whole."""
+    from jaxlib import xla_client
+
+    def whole(_sharding: Any, _axes: int) -> Any:
+        return xla_client.HloSharding.replicate()
+
+    # "On one device, as a whole", with the two parts that the runtime asks for and JAX's own class would add.
+    here: Any = type("Here", (xla_client.SingleDeviceSharding,), {"memory_kind": None, "_to_xla_hlo_sharding": whole})
+    client = xla_client.make_cpu_client()
+    device = client.local_devices()[0]
+    return client, device, here(device)
+
+
+def _loaded(about: Mapping[str, Any], code: bytes) -> Run:
+    """Return a program from its machine code; one of `UNUSABLE` is raised where it does not fit this runtime."""
+    from jaxlib import _jax, xla_client  # type: ignore[attr-defined]
+
+    client, device, sharding = _runtime()
+    executable = client.deserialize_executable(code, executable_devices=xla_client.DeviceList((device,)))
+    # Shapes and types of arrays, as the runtime asks for them.
+    kinds = [SimpleNamespace(shape=tuple(s), dtype=np.dtype(d), weak_type=False) for s, d in about["results"]]
+    handlers = [_jax.array_result_handler(kind, sharding, True, True) for kind in kinds]
+    during_call = _jax.HostBufferSemantics.IMMUTABLE_ONLY_DURING_CALL
+
+    def put(value: Leaf) -> Any:
+        value = np.ascontiguousarray(value).reshape(value.shape)
+        kind = SimpleNamespace(shape=value.shape, dtype=value.dtype, weak_type=False)
+        return _jax.batched_device_put(kind, sharding, [value], [device], True, False, during_call, True)
+
+    def run(values: Sequence[Leaf]) -> list[Leaf]:
+        results = executable.execute_sharded([put(value) for value in values]).consume_with_handlers(handlers)
+        return [np.array(memoryview(result)) for result in results]
+
     return run
-
-
-def _doubles(values: Iterable[Any]) -> bool:
-    """Return whether a program works in double precision, which JAX must be told: as soon as one argument does."""
-    return any(value.dtype == np.float64 for value in values)

@@ -64,7 +64,7 @@ class Solver:
         if self.verdict.broken:
             self._repair()
         self._restore()
-        return Solution(self.problem.layout(self.world), self.verdict, self.made_by, self.runner.trace(self.problem))
+        return Solution(self.problem.layout(self.world), self.verdict, self.made_by, self.runner.trace())
 
     @property
     def spent(self) -> bool:

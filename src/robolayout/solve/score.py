@@ -1,6 +1,6 @@
 """The objective of one thing: what many poses of it cost, what is settled standing where it does.
 
-Rows, weights and formulas are those of the compiled search (`stage`, `terms`); only the rows that concern the thing are worked out,
+Rows, weights and formulas are those of the compiled search (`stage`, `arrays`); only the rows that concern the thing are worked out,
 by NumPy, so that a batch of places costs a few milliseconds and nothing is compiled for it.
 """
 
@@ -12,20 +12,20 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from robolayout._geometry import (
-    Body,
-    FrameRow,
-    cut_separation,
-    frame_residual,
-    mirror_residual,
-    penetration,
-    point_to_box,
+from robolayout._geometry import Array, Body, cut_separation
+from robolayout.solve.arrays import (
+    Arrays,
+    Take,
+    boundary_depths,
+    clear_depths,
+    hard,
+    route_depths,
+    statement_losses,
+    within,
 )
-from robolayout.solve.arrays import Arrays
 from robolayout.solve.compile import Floats
 from robolayout.solve.config import Weights
 from robolayout.solve.stage import FAR_AWAY, Stage
-from robolayout.solve.terms import boundary_depths, hard, saturated, within
 
 Mask = NDArray[np.bool_]
 Index = NDArray[np.intp]
@@ -37,11 +37,10 @@ EXACT = 1e-3
 class _Rows(NamedTuple):
     """The rows of the objective that concern one slot."""
 
-    frames: tuple[Index, Index]  # frame rows that place it, and those that place another by it
+    frames: Index
     mirrors: Index
     pairs: NDArray[np.int32]  # (p, 2) a prism of the slot and one of another
-    held: Index  # (c, 2) clear boxes that it should stay out of, and itself
-    kept: Index  # (c, 2) its own clear boxes and who should stay out of them
+    clears: Index  # (c, 2) clear boxes and slots that should stay out of them, one of both its own
 
 
 class Score:
@@ -60,106 +59,81 @@ class Score:
 
         Second, how many hard demands each of them breaks.
         """
-        rows, table, known = self._about(slot), self._table(world), self._known(slot, settled)
-        own, arrays, clear = self._own(slot, poses), self._arrays, self._weights.clear
-        overlaps = self._overlaps(slot, poses, table, rows.pairs[known[arrays.prism_slot[rows.pairs[:, 1]]]])
-        cost = self._weights.overlap * hard(overlaps, self._weights).sum(axis=1)
-        broken = (overlaps > self._weights.margin + EXACT).sum(axis=1)
-        held = rows.held[known[arrays.clear_owner[rows.held[:, 0]]]]
-        kept = rows.kept[known[rows.kept[:, 1]]]
-        owners, others = _at(table, arrays.clear_owner[held[:, 0]]), _at(table, kept[:, 1])
-        for clears, owner, other in ((held, owners, own), (kept, own, others)):
-            if len(clears):
-                depth = penetration(within(owner, arrays.clear_box[clears[:, 0]]), other, self._weights.margin)
-                weight = arrays.clear_weight[tuple(clears.T)]
-                cost += clear * (hard(depth, self._weights) @ weight)
-                broken += ((depth > self._weights.margin + EXACT) & (weight >= 1.0)).sum(axis=1)
-        outside = boundary_depths(Body(*(field[:, 0] for field in own)), arrays)
-        return cost + self._weights.inside * hard(outside, self._weights), broken + (outside > EXACT)
+        rows, take, known = self._about(slot), self._taking(slot, poses, world), self._known(slot, settled)
+        arrays, weights, allowed = self._arrays, self._weights, self._weights.margin + EXACT
+        pairs = rows.pairs[known[arrays.prism_slot[rows.pairs[:, 1]]]]
+        clears = rows.clears[known[arrays.clear_owner[rows.clears[:, 0]]] & known[rows.clears[:, 1]]]
+        weight = arrays.clear_weight[tuple(clears.T)]
+        overlaps, depth = self._overlaps(slot, poses, world, pairs), clear_depths(take, arrays, clears, weights)
+        outside = boundary_depths(take(np.array([slot])), arrays)[:, 0]
+        cost = weights.overlap * hard(overlaps, weights).sum(axis=1) + weights.inside * hard(outside, weights)
+        broken = (overlaps > allowed).sum(axis=1) + ((depth > allowed) & (weight >= 1.0)).sum(axis=1)
+        return cost + weights.clear * (hard(depth, weights) @ weight), broken + (outside > EXACT)
 
     def statements(self, slot: int, poses: Floats, world: Floats, settled: Mask) -> Floats:
         """Return the weighted sum (m,) of what statements about a slot miss at poses (m, 4); see `hard`."""
-        rows, table, known = self._about(slot), self._table(world), self._known(slot, settled)
-        own, arrays, total = self._own(slot, poses), self._arrays, np.zeros(len(poses))
-        for side, frames in enumerate(rows.frames):
-            others = arrays.frame_index[frames, 1 - side]
-            some, others = frames[known[others]], others[known[others]]
-            if len(some):
-                pair = (own, _at(table, others)) if side == 0 else (_at(table, others), own)
-                missed = frame_residual(*pair, FrameRow(*arrays.frame_row[some].T))
-                total += saturated(missed, self._weights) @ arrays.frame_row[some, -1]
-        some = rows.mirrors[known[arrays.mirror_index[rows.mirrors]].all(axis=1)]
-        if len(some):
-            left, right, axis = (self._taken(index, slot, own, table) for index in arrays.mirror_index[some].T)
-            missed = mirror_residual(left, right, axis, arrays.mirror_normal[some])
-            total += saturated(missed, self._weights) @ arrays.mirror_weight[some]
-        return total
+        rows, arrays, known = self._about(slot), self._arrays, self._known(slot, settled)
+        framed = rows.frames[known[arrays.frame_index[rows.frames]].all(axis=1)]
+        mirrored = rows.mirrors[known[arrays.mirror_index[rows.mirrors]].all(axis=1)]
+        some = arrays._replace(
+            **{name: getattr(arrays, name)[framed] for name in ("frame_index", "frame_row")},
+            **{name: getattr(arrays, name)[mirrored] for name in ("mirror_index", "mirror_weight", "mirror_normal")},
+        )
+        return statement_losses(self._taking(slot, poses, world), some, self._weights)
 
     def routes(self, slot: int, poses: Floats, demands: Floats) -> Floats:
         """Return what poses (m, 4) of a slot cost by the clearance that they take from routes; see `Plan.demands`."""
-        x, y, _, need = demands[demands[:, 2] == slot].T
-        short = np.maximum(need - point_to_box(x, y, self._own(slot, poses)), 0.0)
+        take = self._taking(slot, poses, np.zeros((self._count, 4)))
+        short = route_depths(take, demands[demands[:, 2] == slot])
         return self._weights.routes * hard(short, self._weights).sum(axis=1)
 
     def touched(self, slot: int, poses: Floats, world: Floats) -> set[int]:
         """Return the slots that a slot at some of the poses (m, 4) would go into."""
         pairs = self._about(slot).pairs
-        hit = (self._overlaps(slot, poses, self._table(world), pairs) > self._weights.margin + EXACT).any(axis=0)
+        hit = (self._overlaps(slot, poses, world, pairs) > self._weights.margin + EXACT).any(axis=0)
         return set(self._arrays.prism_slot[pairs[hit, 1]].tolist())
 
     def _sought(self, slot: int) -> _Rows:
         """Return the rows of a slot; `_about` looks for them once."""
         arrays = self._arrays
-        weighed = arrays.frame_row[:, -1] > 0.0
-        first, second = (np.flatnonzero((arrays.frame_index[:, side] == slot) & weighed) for side in (0, 1))
+        framed = (arrays.frame_index == slot).any(axis=1) & (arrays.frame_row[:, -1] > 0.0)
         mirrored = (arrays.mirror_index == slot).any(axis=1) & (arrays.mirror_weight > 0.0)
         of, real = arrays.prism_slot[arrays.pairs], arrays.pairs[:, 0] != arrays.pairs[:, 1]
         ours = [arrays.pairs[real & (of[:, side] == slot)][:, [side, 1 - side]] for side in (0, 1)]
         clears = np.argwhere(arrays.clear_weight > 0.0)
-        held, kept = clears[:, 1] == slot, arrays.clear_owner[clears[:, 0]] == slot
-        return _Rows((first, second), np.flatnonzero(mirrored), np.concatenate(ours), clears[held], clears[kept])
+        clears = clears[(clears[:, 1] == slot) | (arrays.clear_owner[clears[:, 0]] == slot)]
+        return _Rows(np.flatnonzero(framed), np.flatnonzero(mirrored), np.concatenate(ours), clears)
 
     def _known(self, slot: int, settled: Mask) -> Mask:
         """Return which slots, padding included, and fixed bodies have their place."""
-        known = np.ones(len(self._arrays.half) + len(self._arrays.fixed), np.bool_)
-        known[: len(self._arrays.half)] = False
-        known[: self._count] = settled
+        padding, fixed = len(self._arrays.half) - self._count, len(self._arrays.fixed)
+        known = np.concatenate([settled, np.zeros(padding, np.bool_), np.ones(fixed, np.bool_)])
         known[slot] = True
         return known
 
-    def _table(self, world: Floats) -> Body:
-        """Return slots, padding included, and fixed bodies."""
-        slots = np.zeros((len(self._arrays.half), 7))
+    def _taking(self, slot: int, poses: Floats, world: Floats) -> Take:
+        """Return what gives bodies (m, r) beside each pose (m, 4) of a slot, the other slots standing as in a world (n, 4)."""
+        half, slots = self._arrays.half, np.zeros((len(self._arrays.half), 7))
         slots[: self._count, :4] = world
-        slots[:, 4:6] = self._arrays.half
-        return Body(*np.concatenate([slots, self._arrays.fixed]).T)
+        slots[:, 4:6] = half
+        table = np.concatenate([slots, self._arrays.fixed]).T
+        own = (*poses.T[..., None], *half[slot], 0.0)
 
-    def _own(self, slot: int, poses: Floats) -> Body:
-        """Return a slot at its poses (m, 1)."""
-        half, none = self._arrays.half[slot], np.zeros((len(poses), 1))
-        x, y, c, s = poses.T[..., None]
-        return Body(x, y, c, s, none + half[0], none + half[1], none)
+        def take(index: Array) -> Body:
+            mine = index == slot
+            return Body(*(np.where(mine, at, field[index]) for at, field in zip(own, table, strict=True)))
 
-    def _taken(self, index: Index, slot: int, own: Body, table: Body) -> Body:
-        """Return the bodies of some indices (r,) for each pose of a slot (m, r)."""
-        mine = index == slot
-        return Body(*(np.where(mine, at, field[index]) for at, field in zip(own, table, strict=True)))
+        return take
 
-    def _overlaps(self, slot: int, poses: Floats, table: Body, pairs: NDArray[np.int32]) -> Floats:
+    def _overlaps(self, slot: int, poses: Floats, world: Floats, pairs: NDArray[np.int32]) -> Floats:
         """Return how deep the prisms of pairs are in each other, plus the margin (m, p)."""
         arrays, depth = self._arrays, np.zeros((len(poses), len(pairs)))
         other = arrays.prism_slot[pairs[:, 1]]
         near = self._radius[slot] + self._radius[other] + self._weights.margin
-        apart = np.hypot(poses[:, 0, None] - table.x[other], poses[:, 1, None] - table.y[other])
+        apart = np.hypot(poses[:, 0, None] - world[other, 0], poses[:, 1, None] - world[other, 1])
         at, which = np.nonzero(apart < near)
-        mine, theirs = pairs[which].T
-        own = Body(*(field[at, 0] for field in self._own(slot, poses)))
-        shapes = within(own, arrays.prism[mine]), within(_at(table, other[which]), arrays.prism[theirs])
-        gap = cut_separation(*shapes, arrays.prism[mine, 4], arrays.prism[theirs, 4])
+        mine, theirs = (arrays.prism[pairs[which, side]] for side in (0, 1))
+        one, two = (Body(*place.T, *np.zeros((3, 1))) for place in (poses[at], world[other[which]]))
+        gap = cut_separation(within(one, mine), within(two, theirs), mine[:, 4], theirs[:, 4])
         depth[at, which] = np.maximum(self._weights.margin - gap, 0.0)
         return depth
-
-
-def _at(table: Body, index: Index) -> Body:
-    """Return the bodies of some indices."""
-    return Body(*(field[index] for field in table))

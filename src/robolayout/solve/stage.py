@@ -6,13 +6,14 @@ Sizes are rounded up to a few buckets, so that one compiled search serves every 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Collection, Iterable, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from robolayout._geometry import compose
 from robolayout.assets import Prism
 from robolayout.assets.prisms import PRISMS
 from robolayout.constraints import (
@@ -30,10 +31,9 @@ from robolayout.constraints import (
 )
 from robolayout.constraints.corner import convex_corners
 from robolayout.scene import Layout, Pose, Scene, vertical_span
-from robolayout.solve.arrays import Arrays, Routes
+from robolayout.solve.arrays import Arrays
 from robolayout.solve.compile import Floats, Problem, compile_problem
 
-SLOT_BUCKETS = (8, 16, 32, 64, 128, 256, 512)
 EDGE_BUCKETS = (8, 32, 128)
 STAY = 0.03
 """Weight of staying where the program first put a thing, so that what no statement holds does not drift."""
@@ -73,14 +73,12 @@ class Stage:
 
     def local(self, world: Floats) -> Floats:
         """Return world poses (..., n, 4) as padded variables (..., A, 4)."""
-        count = len(self.problem.names)
-        batch = world.shape[:-2]
-        padded = np.zeros((*batch, self.slots, 4))
-        padded[..., 2] = 1.0
-        padded[..., :count, :] = world
+        every = np.tile([0.0, 0.0, 1.0, 0.0], (*world.shape[:-2], self.slots, 1))
+        every[..., : world.shape[-2], :] = world
         carriers = np.maximum(self.arrays.carrier, 0)
-        outer = np.where((self.arrays.carrier >= 0)[:, None], padded[..., carriers, :], self.arrays.anchor)
-        return relative(outer, padded)
+        return relative(
+            np.where((self.arrays.carrier >= 0)[:, None], every[..., carriers, :], self.arrays.anchor), every
+        )
 
 
 def relative(outer: Floats, pose: Floats) -> Floats:
@@ -106,37 +104,32 @@ def stages(problem: Problem) -> range:
 
 def make_stage(problem: Problem, number: int, world: Floats) -> Stage:
     """Return one stage of a problem; what is outside it keeps its world poses (n, 4)."""
-    count = len(problem.names)
-    moving = problem.movable(number)
-    rows = _Rows(problem, set(moving))
-    size = rows.size
+    moving, bodies = problem.movable(number), Bodies(problem)
+    terms = (*problem.implicit_terms, *problem.statement_terms, *problem.wall_terms, *_stay_terms(problem))
+    size = bodies.size
     anchor, carrier, limit = _frames(problem, number, world, size)
-    free = np.zeros((size, 3))
+    free, inside = np.zeros((size, 3)), np.zeros(size)
     free[list(moving)] = 1.0
     free[list(set(moving) - _turning(problem)), 2] = 0.0
-    half = np.zeros((size, 2))
-    half[:count] = problem.half
-    inside = np.zeros(size)
-    inside[[i for i in rows.inside if not _held(problem, i)]] = 1.0
-    every = size * (size - 1) // 2
-    tables = {
-        **rows.prisms(),
-        **rows.frames(rows.framed, bucket(len(rows.framed), (3 * size, 16 * size))),
-        **rows.mirrors(rows.mirrored, bucket(len(rows.mirrored), (MIRROR_BUCKET, 4 * size))),
-        **rows.clears(),
-    }
+    kept_in = {problem.slot[term.a.name] for term in terms if isinstance(term, InsideTerm)} & set(moving)
+    inside[[slot for slot in kept_in if not _held(problem, slot)]] = 1.0
+    room = problem.scene.room
+    ring = [(*wall.start, *wall.end) for wall in room.walls]
+    inner = [vertex for i, vertex in enumerate(room.vertices) if i not in convex_corners(room)]
     arrays = Arrays(
-        half=half,
+        half=padded(problem.half, (size,), [0.0, 0.0]),
         anchor=anchor,
         carrier=carrier,
         limit=limit,
         free=free,
-        fixed=rows.fixed_bodies(),  # now that all rows have named their points
-        pairs=padded(rows.pairs, bucket(len(rows.pairs), (4 * every, 16 * every)), [0, 0], np.int32),
-        edges=_edges(problem),
-        inner=_inner_corners(problem),
+        edges=padded(ring, EDGE_BUCKETS, [*ring[0][:2], *ring[0][:2]]),
+        inner=padded(inner, EDGE_BUCKETS, [FAR_AWAY, FAR_AWAY]),
         inside=inside,
-        **tables,
+        **_prisms(problem, terms, number, size),
+        **_clears(bodies, [term for term in terms if isinstance(term, ClearTerm)], number),
+        **bodies.rows(
+            (t for t in terms if _moves(problem, t, moving)), (3 * size, 16 * size), (MIRROR_BUCKET, 4 * size)
+        ),
     )
     return Stage(problem, number, Arrays(*(_typed(field) for field in arrays)), world, moving)
 
@@ -160,19 +153,15 @@ def _typed(value: NDArray[np.generic]) -> NDArray[np.generic]:
     return value.astype(np.int32 if value.dtype.kind in "iu" else np.float32)
 
 
-def no_routes(starts: int, size: int) -> Routes:
-    """Return routes that ask for nothing."""
-    return Routes(
-        np.full((starts, size, 2), FAR_AWAY, np.float32),
-        np.zeros((starts, size), np.int32),
-        np.full((starts, size), -FAR_AWAY, np.float32),
-    )
+def no_routes(starts: int, size: int) -> NDArray[np.float32]:
+    """Return demands of routes (starts, size, 4) that ask for nothing; see `Plan.demands`."""
+    return np.tile(np.array([FAR_AWAY, FAR_AWAY, 0.0, -FAR_AWAY], np.float32), (starts, size, 1))
 
 
-def padded(rows: Sequence[Any], size: int, filler: Any, kind: type = np.float64) -> NDArray[Any]:
-    """Return rows as an array of `size` rows."""
-    table = np.full((size, *np.shape(filler)), filler, dtype=kind)
-    if rows:
+def padded(rows: Sequence[Any] | Floats, sizes: Sequence[int], filler: Any, kind: type = np.float64) -> NDArray[Any]:
+    """Return rows as an array of one of the sizes (see `bucket`), filled up."""
+    table = np.full((bucket(len(rows), sizes), *np.shape(filler)), filler, dtype=kind)
+    if len(rows):
         table[: len(rows)] = rows
     return table
 
@@ -207,21 +196,9 @@ def _on_top(problem: Problem, slot: int, carrier: Floats) -> tuple[Floats, Float
     """Return the middle (x, y, cos, sin) and the half sizes of what a slot may take of the surface on which it stands."""
     place, whole = problem.resting[slot], problem.half[problem.parent[slot]]
     x0, y0, x1, y1 = place.rectangle if place else (*-whole, *whole)
-    c, s = carrier[2:]
-    u, v = (x0 + x1) / 2, (y0 + y1) / 2
     half = np.array([x1 - x0, y1 - y0]) / 2
-    return carrier + np.array([c * u - s * v, s * u + c * v, 0.0, 0.0]), np.maximum(half, problem.half[slot].min())
-
-
-def _edges(problem: Problem) -> Floats:
-    ring = [(*wall.start, *wall.end) for wall in problem.scene.room.walls]
-    return padded(ring, bucket(len(ring), EDGE_BUCKETS), [*ring[0][:2], *ring[0][:2]])
-
-
-def _inner_corners(problem: Problem) -> Floats:
-    room = problem.scene.room
-    inner = sorted(set(range(len(room.vertices))) - set(convex_corners(room)))
-    return padded([room.vertices[i] for i in inner], bucket(len(inner), EDGE_BUCKETS), [FAR_AWAY, FAR_AWAY])
+    middle = compose(carrier, np.array([(x0 + x1) / 2, (y0 + y1) / 2, 1.0, 0.0]))
+    return middle, np.maximum(half, problem.half[slot].min())
 
 
 def _stay_terms(problem: Problem) -> Iterable[Term]:
@@ -233,16 +210,70 @@ def _stay_terms(problem: Problem) -> Iterable[Term]:
             pose = problem.guess[name]
             yield FrameTerm(me, PointRef(pose.x, pose.y), distance=(0.0, 0.0), heading=pose.yaw, weight=STAY)
         else:
-            u, v = (float(value) for value in relative(problem.start[carrier], problem.start[slot])[:2])
+            u, v = relative(problem.start[carrier], problem.start[slot])[:2].tolist()
             top = AssetRef(problem.names[carrier])
             yield FrameTerm(me, top, along=Interval(u, u), across=Interval(v, v), weight=STAY)
+
+
+def _moves(problem: Problem, term: Term, moving: Collection[int]) -> bool:
+    """Return whether a row pulls at a slot that moves: at what it says yields, or at both things that it mirrors."""
+    if not isinstance(term, FrameTerm | MirrorTerm):
+        return False
+    sides = {"a": [term.a], "b": [term.b]}.get(getattr(term, "moves", "both"), [term.a, term.b])
+    return any(isinstance(ref, AssetRef) and problem.slot[ref.name] in moving for ref in sides)
+
+
+def _prisms(problem: Problem, terms: Iterable[Term], number: int, size: int) -> dict[str, NDArray[Any]]:
+    """Return the pairs that must not overlap, one of each moving, and their prisms; one that fills the table lies far away."""
+    numbers: dict[tuple[int, Prism], int] = {}
+    pairs: list[list[int]] = []
+    moving = set(problem.movable(number))
+    for term in terms:
+        if isinstance(term, OverlapTerm):
+            a, b = problem.slot[term.a.name], problem.slot[term.b.name]
+            placed = max(problem.stage[a], problem.stage[b]) <= number
+            if placed and moving & {a, b} and not (_lies_on(problem, a, b) or _lies_on(problem, b, a)):
+                prisms = (a, term.first), (b, term.second)
+                pairs.append([numbers.setdefault(key, len(numbers)) for key in prisms])
+    every, most = size * (size - 1) // 2, (PRISMS.most * size,)
+    rows = [[p.x, p.y, p.hx, p.hy, p.cut] for _, p in numbers]
+    return {
+        "prism_slot": padded([slot for slot, _ in numbers], most, 0, np.int32),
+        "prism": padded(rows, most, [FAR_AWAY, FAR_AWAY, 0.0, 0.0, 0.0]),
+        "pairs": padded(pairs, (4 * every, 16 * every), [0, 0], np.int32),
+    }
+
+
+def _lies_on(problem: Problem, upper: int, lower: int) -> bool:
+    """Return whether a slot lies wholly on a surface of another, which keeps it off whatever rises there."""
+    place = problem.resting[upper]
+    return problem.parent[upper] == lower and place is not None and place.holds(problem.scene.assets[upper].size)
+
+
+def _clears(bodies: Bodies, terms: Sequence[ClearTerm], number: int) -> dict[str, NDArray[Any]]:
+    """Return the clear boxes with the slots that each concerns: what is placed by then at its heights."""
+    problem, size = bodies.problem, bodies.size
+    sizes = (CLEAR_BUCKET, max(size, 2 * CLEAR_BUCKET), 4 * size)
+    weight = padded([[0.0] * size for _ in terms], sizes, [0.0] * size)
+    for i, asset in enumerate(problem.scene.assets):
+        low, high = vertical_span(asset, problem.guess[asset.name])
+        for g, term in enumerate(terms):
+            exempt = asset.is_flat or asset.name in term.exempt or term.owner == AssetRef(asset.name)
+            if not exempt and low < term.span[1] and high > term.span[0] and problem.stage[i] <= number:
+                weight[g, i] = term.weight * (1.0 if term.hard else SOFT_CLEAR)
+    boxes = [[*term.center, *term.half] for term in terms]
+    return {
+        "clear_owner": padded([bodies.index(term.owner) for term in terms], sizes, size, np.int32),
+        "clear_box": padded(boxes, sizes, [FAR_AWAY, FAR_AWAY, 0.0, 0.0]),
+        "clear_weight": weight,
+    }
 
 
 class Bodies:
     """Numbers everything that a row may be about: slots, then walls, then fixed points; lists rows by these numbers."""
 
     def __init__(self, problem: Problem) -> None:
-        self.problem, self.size = problem, bucket(len(problem.names), SLOT_BUCKETS)
+        self.problem, self.size = problem, bucket(len(problem.names), (8,))
         walls = problem.scene.room.walls
         self._fixed: list[list[float]] = [[*w.midpoint, *w.direction, w.length / 2, 0.0, w.length / 2] for w in walls]
 
@@ -255,103 +286,18 @@ class Bodies:
         self._fixed.append([ref.x, ref.y, math.cos(ref.yaw), math.sin(ref.yaw), 0.0, 0.0, 0.0])
         return self.size + len(self._fixed) - 1
 
-    def frames(self, terms: Sequence[FrameTerm], count: int) -> dict[str, NDArray[Any]]:
-        """Return frame rows as arrays of `count` rows."""
-        index = [[self.index(term.a), self.index(term.b)] for term in terms]
-        idle = FrameTerm(WallRef(0), WallRef(0), weight=0.0).row()
+    def rows(self, terms: Iterable[Term], frames: Sequence[int], mirrors: Sequence[int]) -> dict[str, NDArray[Any]]:
+        """Return what terms say of frames and mirrors as arrays of sizes from buckets, beside walls and the points they are about."""
+        terms = list(terms)
+        framed = [term for term in terms if isinstance(term, FrameTerm)]
+        mirrored = [term for term in terms if isinstance(term, MirrorTerm)]
+        pairs = [[self.index(term.a), self.index(term.b)] for term in framed]
+        triples = [[self.index(ref) for ref in (term.a, term.b, term.ref)] for term in mirrored]
         return {
-            "frame_index": padded(index, count, [self.size] * 2, np.int32),
-            "frame_row": padded([term.row() for term in terms], count, idle),
-        }
-
-    def mirrors(self, terms: Sequence[MirrorTerm], count: int) -> dict[str, NDArray[Any]]:
-        """Return mirror rows as arrays of `count` rows."""
-        index = [[self.index(ref) for ref in (term.a, term.b, term.ref)] for term in terms]
-        return {
-            "mirror_index": padded(index, count, [self.size] * 3, np.int32),
-            "mirror_weight": padded([term.weight for term in terms], count, 0.0),
-            "mirror_normal": padded([float(isinstance(term.ref, WallRef)) for term in terms], count, 0.0),
-        }
-
-    def fixed_bodies(self) -> Floats:
-        """Return walls and the points of all rows so far."""
-        count = bucket(len(self._fixed), (2 * self.size, 4 * self.size))
-        return padded(self._fixed, count, [FAR_AWAY, FAR_AWAY, 1, 0, 0, 0, 0])
-
-
-class _Rows(Bodies):
-    """Collects the rows of a stage's kernels."""
-
-    def __init__(self, problem: Problem, moving: set[int]) -> None:
-        super().__init__(problem)
-        self.moving = moving
-        self.number = max((problem.stage[i] for i in moving), default=0)
-        self.pairs: list[list[int]] = []
-        self.prism: dict[tuple[int, Prism], int] = {}
-        self.inside: set[int] = set()
-        self.framed: list[FrameTerm] = []
-        self.mirrored: list[MirrorTerm] = []
-        self.clear: list[ClearTerm] = []
-        implied, said = problem.implicit_terms, problem.statement_terms
-        for term in (*implied, *said, *problem.wall_terms, *_stay_terms(problem)):
-            self._collect(term)
-
-    def _collect(self, term: Term) -> None:
-        """Sort a row that concerns a moving slot to its kernel."""
-        slot = self.problem.slot
-        if isinstance(term, OverlapTerm):
-            pair = [slot[term.a.name], slot[term.b.name]]
-            if self._at_hand(pair) and self.moving & set(pair) and not self._carried(*pair):
-                prisms = zip(pair, (term.first, term.second), strict=True)
-                self.pairs.append([self.prism.setdefault(key, len(self.prism)) for key in prisms])
-        elif isinstance(term, InsideTerm):
-            self.inside |= {slot[term.a.name]} & self.moving
-        elif isinstance(term, ClearTerm):
-            self.clear.append(term)
-        elif isinstance(term, FrameTerm):
-            if self._moves({"a": [term.a], "b": [term.b], "both": [term.a, term.b]}[term.moves]):
-                self.framed.append(term)
-        elif isinstance(term, MirrorTerm) and self._moves([term.a, term.b]):
-            self.mirrored.append(term)
-
-    def _at_hand(self, slots: list[int]) -> bool:
-        """Return whether all slots have their own place already: they move now or were placed before."""
-        return all(self.problem.stage[i] <= self.number for i in slots)
-
-    def _moves(self, refs: Iterable[Ref]) -> bool:
-        return any(isinstance(ref, AssetRef) and self.problem.slot[ref.name] in self.moving for ref in refs)
-
-    def _carried(self, a: int, b: int) -> bool:
-        """Return whether one of two slots lies wholly on a surface of the other, which keeps it off whatever rises there."""
-        parent, resting = self.problem.parent, self.problem.resting
-        for lower, upper in ((a, b), (b, a)):
-            place = resting[upper]
-            if parent[upper] == lower and place is not None:
-                return place.holds(self.problem.scene.assets[upper].size)
-        return False
-
-    def prisms(self) -> dict[str, NDArray[Any]]:
-        """Return the prisms that pairs are made of; one that fills the table lies far away."""
-        rows, count = [[p.x, p.y, p.hx, p.hy, p.cut] for _, p in self.prism], PRISMS.most * self.size
-        return {
-            "prism_slot": padded([slot for slot, _ in self.prism], count, 0, np.int32),
-            "prism": padded(rows, count, [FAR_AWAY, FAR_AWAY, 0.0, 0.0, 0.0]),
-        }
-
-    def clears(self) -> dict[str, NDArray[Any]]:
-        """Return the clear boxes with the slots that each concerns."""
-        count = bucket(len(self.clear), (CLEAR_BUCKET, max(self.size, 2 * CLEAR_BUCKET), 4 * self.size))
-        weight = np.zeros((count, self.size))
-        for g, term in enumerate(self.clear):
-            for i, asset in enumerate(self.problem.scene.assets):
-                low, high = vertical_span(asset, self.problem.guess[asset.name])
-                concerned = not asset.is_flat and low < term.span[1] and high > term.span[0]
-                own = isinstance(term.owner, AssetRef) and term.owner.name == asset.name
-                if concerned and not own and asset.name not in term.exempt and self._at_hand([i]):
-                    weight[g, i] = term.weight * (1.0 if term.hard else SOFT_CLEAR)
-        boxes = [[*term.center, *term.half] for term in self.clear]
-        return {
-            "clear_owner": padded([self.index(term.owner) for term in self.clear], count, self.size, np.int32),
-            "clear_box": padded(boxes, count, [FAR_AWAY, FAR_AWAY, 0.0, 0.0]),
-            "clear_weight": weight,
+            "frame_index": padded(pairs, frames, [self.size] * 2, np.int32),
+            "frame_row": padded([t.row() for t in framed], frames, FrameTerm(WallRef(0), WallRef(0), weight=0.0).row()),
+            "mirror_index": padded(triples, mirrors, [self.size] * 3, np.int32),
+            "mirror_weight": padded([term.weight for term in mirrored], mirrors, 0.0),
+            "mirror_normal": padded([float(isinstance(term.ref, WallRef)) for term in mirrored], mirrors, 0.0),
+            "fixed": padded(self._fixed, (2 * self.size, 4 * self.size), [FAR_AWAY, FAR_AWAY, 1, 0, 0, 0, 0]),
         }

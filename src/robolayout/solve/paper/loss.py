@@ -14,10 +14,10 @@ import jax
 import jax.numpy as jnp
 from jaxtyping import Array, Float
 
-from robolayout._geometry import Body, FrameRow, frame_residual, intersection_over_union, mirror_residual
+from robolayout._geometry import Body, intersection_over_union
 from robolayout.constraints.reachable_pairwise import ALPHA
-from robolayout.solve.objective import yielding
-from robolayout.solve.paper.table import Table
+from robolayout.solve.arrays import statement_residuals, yielding
+from robolayout.solve.paper.solver import Table
 
 OVERLAP = 1000.0
 """Scale of the overlap loss (the paper's table of constraints)."""
@@ -49,10 +49,10 @@ def loss_terms(poses: Float[Array, "slots 4"], table: Table) -> Float[Array, " t
     """
     norm = jnp.sqrt(poses[:, 2] ** 2 + poses[:, 3] ** 2 + TINY)
     moving = jnp.stack([*poses[:, :2].T, poses[:, 2] / norm, poses[:, 3] / norm, *table.half.T, 0.0 * norm], axis=-1)
-    everything = jnp.concatenate([moving, table.fixed])
+    bodies = jnp.concatenate([moving, table.fixed])
 
     def take(index: Array) -> Body:
-        return Body(*everything[index].T)
+        return Body(*bodies[index].T)
 
     first, second = take(table.pairs[:, 0]), take(table.pairs[:, 1])
     overlap = OVERLAP * jnp.sum(table.pair_weight * intersection_over_union(first, second))
@@ -60,12 +60,7 @@ def loss_terms(poses: Float[Array, "slots 4"], table: Table) -> Float[Array, " t
     reach = ALPHA * jnp.sum(jnp.maximum(table.required**2 - squared, 0.0))
     loose = 1.0 - table.held
     covered = intersection_over_union(take(table.stacks[:, 0]), yielding(take(table.stacks[:, 1]), loose))
-    row = FrameRow(*table.frame_row.T)
-    a = yielding(take(table.frame_index[:, 0]), jnp.maximum(row.move_a, loose))
-    b = yielding(take(table.frame_index[:, 1]), jnp.maximum(row.move_b, loose))
-    framed = frame_residual(a, b, row)
-    left, right, axis = (take(table.mirror_index[:, i]) for i in range(3))
-    mirrored = mirror_residual(left, right, yielding(axis, loose), table.mirror_normal)
-    said = jnp.sum(row.weight * framed) + jnp.sum(table.mirror_weight * mirrored)
+    framed, mirrored = statement_residuals(take, table, loose)
+    said = jnp.sum(table.frame_row[:, -1] * framed) + jnp.sum(table.mirror_weight * mirrored)
     statements = said - jnp.sum(table.stack_weight * covered)
     return jnp.stack([overlap, statements, reach])

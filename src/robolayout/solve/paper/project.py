@@ -14,7 +14,7 @@ from __future__ import annotations
 import numpy as np
 import shapely
 from numpy.typing import NDArray
-from shapely import Point, Polygon
+from shapely import Polygon
 
 from robolayout.scene import Room
 from robolayout.solve.compile import Floats, Problem
@@ -46,20 +46,13 @@ def correction(room: Room, corners: Floats, centre: Floats) -> Floats:
     out = outside(room, corners)
     if not out.any():
         return np.zeros(2)
-    targets = centre[None] if out.all() else corners[out]
-    return np.mean([_inward(room, target) for target in targets], axis=0)
-
-
-def _inward(room: Room, point: Floats) -> Floats:
-    """Return tau of one point."""
-    polygon = Polygon(room.vertices)
-    outline = polygon.exterior
-    nearest = np.array(outline.interpolate(outline.project(Point(point))).coords[0])
-    inward = np.array(polygon.centroid.coords[0]) - nearest
-    length = float(np.linalg.norm(inward))
-    if length == 0.0:  # the centroid of a concave room may lie on its outline
-        return np.zeros(2)
-    return inward / length * (float(np.linalg.norm(nearest - point)) + TOLERANCE + MARGIN)
+    targets, polygon = centre[None] if out.all() else corners[out], Polygon(room.vertices)
+    along = shapely.line_locate_point(polygon.exterior, shapely.points(targets))
+    nearest = shapely.get_coordinates(shapely.line_interpolate_point(polygon.exterior, along))
+    inward = shapely.get_coordinates(polygon.centroid) - nearest
+    length, depth = (np.sqrt(np.vecdot(way, way))[:, None] for way in (inward, nearest - targets))
+    # The centroid of a concave room may lie on its outline.
+    return np.mean(inward / np.where(length > 0.0, length, 1.0) * (depth + TOLERANCE + MARGIN), axis=0)
 
 
 def into_room(room: Room, pose: Floats, half: Floats) -> Floats:

@@ -12,11 +12,15 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+import scipy.optimize
+from scipy.sparse import csr_matrix, diags_array
 
 from robolayout.solve.compile import Floats
 from robolayout.solve.paper.project import projected
-from robolayout.solve.paper.solver import Compared, Evaluation, paper_loss, random_start
+from robolayout.solve.paper.solver import Compared, Evaluation
 from robolayout.solve.solution import Solution
+
+optimize: Any = scipy.optimize
 
 
 @dataclass(frozen=True)
@@ -37,10 +41,10 @@ class ScipySolver(Compared):
     config: ScipyConfig = ScipyConfig()
 
     def __post_init__(self) -> None:
-        problem = self.problem
-        self.loss = paper_loss(problem)
-        self.start = random_start(problem, np.random.default_rng(self.seed))
-        self.free = [i for i, name in enumerate(problem.names) if name not in problem.pinned]
+        super().__post_init__()
+        x0, y0, x1, y1 = self.problem.scene.room.bounds
+        corners = (x0, y0, -1.0, -1.0), (x1, y1, 1.0, 1.0)
+        self.low, self.high = (np.tile(corner, len(self.free)) for corner in corners)
         self.last = (np.empty(0), Evaluation(0.0, np.empty(0), np.empty(0)))
 
     def trust_constr(self) -> Solution:
@@ -52,18 +56,14 @@ class ScipySolver(Compared):
         """Return the layout that annealing with gradient descents in between ends with, headings put on the circle last."""
         if not self.free:
             return self._concluded(np.empty(0))
-        from scipy import optimize
-
-        scipy: Any = optimize
         self.progress("search")
-        low, high = self._box()
-        bounds = list(zip(low, high, strict=True))
-        found = scipy.dual_annealing(
+        bounds = list(zip(self.low, self.high, strict=True))
+        found = optimize.dual_annealing(
             self._value,
             bounds,
             maxiter=self.config.rounds,
             maxfun=self.config.evaluations,
-            x0=np.clip(self.start[self.free].ravel(), low, high),
+            x0=np.clip(self.start[self.free].ravel(), self.low, self.high),
             seed=self.seed,
             minimizer_kwargs={"method": "L-BFGS-B", "jac": self._gradient, "bounds": bounds},
             callback=self._record,
@@ -75,10 +75,6 @@ class ScipySolver(Compared):
     def _trust_constr(self, x: Floats, iterations: int) -> Floats:
         if not self.free:
             return x
-        from scipy import optimize
-        from scipy.sparse import csr_matrix, diags_array
-
-        scipy: Any = optimize
         count = len(self.free)
         rows = np.repeat(np.arange(count), 2)
         columns = (4 * np.arange(count)[:, None] + [2, 3]).ravel()
@@ -92,27 +88,20 @@ class ScipySolver(Compared):
         def length(value: Floats) -> Floats:
             return np.sum(value.reshape(-1, 4)[:, 2:] ** 2, axis=1)
 
-        low, high = self._box()
-        tolerance = self.config.tolerance
+        tolerances = dict.fromkeys(("gtol", "xtol", "barrier_tol"), self.config.tolerance)
         with warnings.catch_warnings():
             warnings.filterwarnings("ignore", "delta_grad == 0.0")  # where everything is met the loss is flat
-            found = scipy.minimize(
+            found = optimize.minimize(
                 self._value,
-                _on_circle(np.clip(x, low, high)),
+                _on_circle(np.clip(x, self.low, self.high)),
                 jac=self._gradient,
                 method="trust-constr",
-                bounds=scipy.Bounds(low, high),
-                constraints=[scipy.NonlinearConstraint(length, 1.0, 1.0, jac=slope, hess=bend)],
-                options={"gtol": tolerance, "xtol": tolerance, "barrier_tol": tolerance, "maxiter": iterations},
+                bounds=optimize.Bounds(self.low, self.high),
+                constraints=[optimize.NonlinearConstraint(length, 1.0, 1.0, jac=slope, hess=bend)],
+                options={**tolerances, "maxiter": iterations},
                 callback=self._record,
             )
         return found.x
-
-    def _box(self) -> tuple[Floats, Floats]:
-        """Return the lowest and the highest variables."""
-        x0, y0, x1, y1 = self.problem.scene.room.bounds
-        count = len(self.free)
-        return np.tile([x0, y0, -1.0, -1.0], count), np.tile([x1, y1, 1.0, 1.0], count)
 
     def _world(self, x: Floats) -> Floats:
         world = self.start.copy()
@@ -138,9 +127,7 @@ class ScipySolver(Compared):
     def _concluded(self, x: Floats) -> Solution:
         """Return the better of the raw result and of that after the hard corrections."""
         raw = self._world(_on_circle(x))
-        layouts = [self.problem.layout(world) for world in (projected(self.problem, raw), raw)]
-        verdict, layout = min(((self.judge(one), one) for one in layouts), key=lambda found: found[0].merit)
-        return Solution(layout, verdict, trace=self.trace)
+        return self.best_of(projected(self.problem, raw), raw)
 
 
 def _on_circle(x: Floats) -> Floats:

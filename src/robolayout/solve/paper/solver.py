@@ -8,19 +8,25 @@ made the layout worse, the layout before it is returned.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
-from dataclasses import KW_ONLY, dataclass, field, replace
-from typing import NamedTuple
+from collections.abc import Callable, Sequence
+from dataclasses import KW_ONLY, dataclass, replace
+from itertools import combinations
+from typing import Any, ClassVar, NamedTuple
 
 import numpy as np
 from shapely import Polygon
 
+from robolayout.constraints import PairwiseTerm, ReachablePairwise
+from robolayout.constraints.no_overlap import share_height
+from robolayout.constraints.on_top_of import OnTopOf
 from robolayout.scene import Room, Snapshot, Trace
 from robolayout.solve import programs
 from robolayout.solve.compile import Floats, Problem
 from robolayout.solve.paper.project import footprint, into_room, outside, projected
-from robolayout.solve.paper.table import make_table, overlap_pairs
 from robolayout.solve.solution import Judge, Progress, Solution, silent, snapshot
+from robolayout.solve.stage import Bodies, padded
+
+Array = Any
 
 TERMS = ("overlap", "statements", "reachability")
 """The terms of L_total: no overlap, existing and new constraints (solved together), pairwise reach."""
@@ -57,6 +63,66 @@ class PaperConfig:
 PAPER = PaperConfig()
 
 
+class Table(NamedTuple):
+    """The loss of one scene, rows padded with weight 0. A slots, F fixed bodies, P pairs, S stacks, R frame and M mirror rows."""
+
+    half: Array  # (A, 2) half depth and half width in metres
+    fixed: Array  # (F, 7) walls and points as bodies (x, y, cos, sin, half x, half y, core)
+    pairs: Array  # (P, 2) slots that must not overlap
+    pair_weight: Array  # (P,) 1 for real pairs
+    required: Array  # (P,) metres between the centres of each pair that let the agent pass; 0 where it need not
+    stacks: Array  # (S, 2) upper and lower slot of each stack
+    stack_weight: Array  # (S,) 1 for real stacks
+    frame_index: Array  # (R, 2) bodies a and b of each frame row (slots first, then fixed bodies)
+    frame_row: Array  # (R, 20) numbers of each frame row
+    mirror_index: Array  # (M, 3) bodies a, b and axis
+    mirror_weight: Array  # (M,) weight of each mirror row
+    mirror_normal: Array  # (M,) 1 where the axis is a wall
+    held: Array  # 1 if statements only move what they are about, 0 if also what they refer to
+
+
+def make_table(problem: Problem, *, held: bool) -> Table:
+    """Return the paper's loss of a problem: its statements, overlaps and the pairwise reach, but no term of our own.
+
+    `held` lets the gradient of a statement leave alone what it refers to, as in the paper's algorithm.
+    """
+    bodies = Bodies(problem)
+    size = bodies.size
+    stacks = [[i, parent] for i, parent in enumerate(problem.parent) if parent >= 0]
+    overlaps, required = overlap_pairs(problem), reach_pairs(problem)
+    pairs, every = sorted({*overlaps, *required}), (size * (size - 1) // 2,)
+    said = [t for r in problem.relations if not isinstance(r, OnTopOf) for t in r.terms(problem.scene, problem.guess)]
+    return Table(
+        half=padded(problem.half, (size,), [1.0, 1.0]),
+        pairs=padded(pairs, every, [0, 0], np.int32),
+        pair_weight=padded([float(pair in overlaps) for pair in pairs], every, 0.0),
+        required=padded([required.get(pair, 0.0) for pair in pairs], every, 0.0),
+        stacks=padded(stacks, (size,), [0, 0], np.int32),
+        stack_weight=padded([1.0] * len(stacks), (size,), 0.0),
+        held=np.float64(held),
+        **bodies.rows(said, (4 * size, 16 * size), (size, 4 * size)),
+    )
+
+
+def overlap_pairs(problem: Problem) -> set[tuple[int, int]]:
+    """Return the pairs of slots whose boxes must not overlap: those at one height, stacks aside."""
+    assets = problem.scene.assets
+    pairs = combinations(range(len(assets)), 2)
+    return {(a, b) for a, b in pairs if _apart(problem, a, b) and share_height(assets[a], assets[b], problem.guess)}
+
+
+def reach_pairs(problem: Problem) -> dict[tuple[int, int], float]:
+    """Return the pairs that must let the agent pass, with the metres between their centres that this takes."""
+    terms = ReachablePairwise().terms(problem.scene, problem.guess)
+    rows = ((problem.slot[t.a.name], problem.slot[t.b.name], t.required) for t in terms if isinstance(t, PairwiseTerm))
+    return {(a, b): required for a, b, required in rows if _apart(problem, a, b)}
+
+
+def _apart(problem: Problem, a: int, b: int) -> bool:
+    """Return whether neither of two slots stands on the other."""
+    return problem.parent[a] != b and problem.parent[b] != a
+
+
 class Evaluation(NamedTuple):
     """The loss at one layout."""
 
@@ -65,17 +131,12 @@ class Evaluation(NamedTuple):
     terms: Floats  # terms of L_total, as in `TERMS`
 
 
-Loss = Callable[[Floats], Evaluation]
-
-
-def paper_loss(problem: Problem, *, held: bool = False) -> Loss:
+def paper_loss(problem: Problem, *, held: bool = False) -> Callable[[Floats], Evaluation]:
     """Return the paper's loss of world poses (n, 4); `held` as in `make_table`."""
     table = make_table(problem, held=held)
-    padding = np.tile([0.0, 0.0, 1.0, 0.0], (len(table.half), 1))
 
     def loss(world: Floats) -> Evaluation:
-        poses = padding.copy()
-        poses[: len(world)] = world
+        poses = padded(world, (len(table.half),), [0.0, 0.0, 1.0, 0.0])
         value, gradient, terms = programs.call("paper.loss:value_and_gradient", poses, table)
         return Evaluation(float(value), gradient[: len(world)], terms)
 
@@ -192,8 +253,14 @@ class Compared:
     _: KW_ONLY
     seed: int = 0  # of the random start, and of whatever else is drawn
     progress: Progress = silent  # called with the name of each phase
-    losses: list[dict[str, float]] = field(default_factory=list[dict[str, float]], init=False)
-    shots: list[Snapshot] = field(default_factory=list[Snapshot], init=False)
+    held: ClassVar[bool] = False  # see `make_table`
+
+    def __post_init__(self) -> None:
+        self.losses: list[dict[str, float]] = []
+        self.shots: list[Snapshot] = []
+        self.free = [slot for slot, name in enumerate(self.problem.names) if name not in self.problem.pinned]
+        self.loss = paper_loss(self.problem, held=self.held)
+        self.start = random_start(self.problem, np.random.default_rng(self.seed))
 
     @property
     def trace(self) -> Trace:
@@ -207,66 +274,61 @@ class Compared:
             self.shots.append(snapshot(len(self.losses), label, self.problem.layout(world)))
         self.losses.append({**terms, "total": sum(terms.values())})
 
+    def best_of(self, *worlds: Floats) -> Solution:
+        """Return the best of some world poses (n, 4) by the judge, of equals the first."""
+        layouts = (self.problem.layout(world) for world in worlds)
+        verdict, layout = min(((self.judge(one), one) for one in layouts), key=lambda found: found[0].merit)
+        return Solution(layout, verdict, trace=self.trace)
+
 
 @dataclass
 class PaperSolver(Compared):
     """Solves one problem as the paper does."""
 
     config: PaperConfig = PAPER
-
-    def __post_init__(self) -> None:
-        self.loss = paper_loss(self.problem, held=True)
-        free = [name not in self.problem.pinned for name in self.problem.names]
-        self.free = np.array(free, dtype=float)[:, None]
+    held = True
 
     def solve(self) -> Solution:
         """Return the layout that the paper's algorithm ends with."""
         self.progress("search")
-        world = self.search(random_start(self.problem, np.random.default_rng(self.seed)))
-        layout = self.problem.layout(world)
-        verdict = self.judge(layout)
-        problem_slots = problematic(self.problem, world)
-        if problem_slots:
-            self.progress("refine")
-            refined = self.problem.layout(self.refine(world, problem_slots))
-            better = self.judge(refined)
-            if better.merit < verdict.merit:
-                layout, verdict = refined, better
-        return Solution(layout, verdict, trace=self.trace)
+        world = self.search(self.start)
+        slots = problematic(self.problem, world)
+        if not slots:
+            return self.best_of(world)
+        self.progress("refine")
+        return self.best_of(world, self.refine(world, slots))
 
     def search(self, world: Floats) -> Floats:
         """Return world poses (n, 4) after the main optimisation."""
-        config, room = self.config, self.problem.scene.room
-        rate, radius, moments = rates(room, config), config.radius, Moments.zero(world)
-        here = self.loss(world)
+        return self._descended("search", world, self.free, rates(self.problem.scene.room, self.config), self.config)
+
+    def refine(self, world: Floats, slots: Sequence[int]) -> Floats:
+        """Return world poses (n, 4) after the refinement, which moves these slots only and accepts every step."""
+        steps, clip, every = self.config.refine_steps, self.config.refine_clip, self.config.refine_project_every
+        config = replace(self.config, steps=steps, clip=clip, project_every=every, radius=math.inf)
+        return self._descended("refine", world, slots, np.full(4, config.refine_rate), config)
+
+    def _descended(self, label: str, world: Floats, slots: Sequence[int], rate: Floats, config: PaperConfig) -> Floats:
+        """Return world poses (n, 4) after Adam's steps with slots alone, projected now and then."""
+        free = np.zeros((len(world), 1))
+        free[list(slots)] = 1.0
+        names, room, radius = self.problem.names, self.problem.scene.room, config.radius
+        problem = replace(self.problem, pinned=frozenset(names[i] for i in np.flatnonzero(free == 0.0)))
+        here, moments = self.loss(world), Moments.zero(world)
         for count in range(1, config.steps + 1):
-            self.record("search", here, world)
-            gradient = clipped(here.gradient, config.clip) * self.free
-            moments, step = adam(moments, gradient, decayed(rate, count, config), config)
-            step = admissible(room, world, step, radius) * self.free
+            self.record(label, here, world)
+            moments, step = adam(
+                moments, clipped(here.gradient, config.clip) * free, decayed(rate, count, config), config
+            )
+            step = admissible(room, world, step, radius) * free
             there = self.loss(world + step)
-            accepted, radius = judged_step(here, there, step, radius, config)
+            accepted = radius == math.inf
+            if not accepted:
+                accepted, radius = judged_step(here, there, step, radius, config)
             if accepted:
                 world, here = world + step, there
             if count % config.project_every == 0:
-                world = projected(self.problem, world)
+                world = projected(problem, world)
                 here = self.loss(world)
-        self.record("search", here, world)
-        return world
-
-    def refine(self, world: Floats, slots: tuple[int, ...]) -> Floats:
-        """Return world poses (n, 4) after the refinement, which moves these slots only."""
-        config, room = self.config, self.problem.scene.room
-        moving = np.zeros((len(world), 1))
-        moving[list(slots)] = 1.0
-        moments, rate = Moments.zero(world), np.full(4, config.refine_rate)
-        pinned = frozenset(name for i, name in enumerate(self.problem.names) if i not in slots)
-        for count in range(1, config.refine_steps + 1):
-            here = self.loss(world)
-            self.record("refine", here, world)
-            moments, step = adam(moments, clipped(here.gradient, config.refine_clip) * moving, rate, config)
-            world = world + admissible(room, world, step, math.inf) * moving
-            if count % config.refine_project_every == 0:
-                world = projected(replace(self.problem, pinned=pinned), world)
-        self.record("refine", self.loss(world), world)
+        self.record(label, here, world)
         return world
