@@ -124,7 +124,7 @@ def _metadata() -> list[Any]:
 
 
 def _read_metadata(path: Path) -> object:
-    from robolayout.scene.reference import look_up
+    from robolayout.scene._asset_io import look_up
 
     path.rename(path.with_name("data.json"))
     return look_up([f"{path.parent.name}-0"], path.parent.parent)

@@ -10,7 +10,7 @@ import pytest
 
 from robolayout._errors import AssetError, InputError, SceneError
 from robolayout.scene import Scene, load_scene, scene_from_dict, scene_to_dict
-from robolayout.scene.reference import look_up
+from robolayout.scene._asset_io import look_up
 
 DESK, CHAIR, SEAT, LAMP = "0a1b", "fe-77", "c3", "d4"
 

@@ -35,12 +35,6 @@ def show(value: object) -> str:
     return reprlib.repr(value)
 
 
-def _meant(path: Path) -> str:
-    """Return which file beside a missing one may be meant, as the begin of a sentence; nothing where none is like it."""
-    near = difflib.get_close_matches(path.name[:200], _names(path.parent), n=1, cutoff=0.75)
-    return f"did you mean {str(path.with_name(near[0]))!r}? Or " if near else ""
-
-
 @dataclass(frozen=True)
 class Checker:
     """Checks values and raises `error` with a sentence that names the place, the value and what is allowed."""
@@ -96,7 +90,9 @@ class Checker:
         if least is not None and value < least:
             raise self.error(f"{where} must be at least {least:g}, but is {show(value)}.")
         if value > most:
-            raise self.error(f"{where} must be at most {most:g}, but is {show(value)}.{_centimetres(value, most)}")
+            told = most <= LIMITS.length and value <= 100 * most
+            ask = f" Lengths are in metres: is it in centimetres? Then write {value / 100:g}." if told else ""
+            raise self.error(f"{where} must be at most {most:g}, but is {show(value)}.{ask}")
         return float(value) + 0.0
 
     def numbers(self, value: object, where: str, count: tuple[int, ...]) -> tuple[float, ...]:
@@ -142,10 +138,14 @@ class Checker:
     def read_bytes(self, path: Path, what: str, most: int = LIMITS.file_bytes) -> bytes:
         """Return the content of a regular file of at most `most` bytes."""
         if os.path.isdir(path):
-            raise self.error(f"{what} {path} is a folder; name the file in it{_such_as(path, what)}.")
+            files, likely = [name for name in _names(path) if name.endswith(".json")], f"{what.split()[0]}.json"
+            such = next((f", such as {path / name}" for name in (likely, *files) if name in files), "")
+            raise self.error(f"{what} {path} is a folder; name the file in it{such}.")
         if not os.path.lexists(path):
             shown = str(path) if len(str(path)) <= LIMITS.shown else f"{str(path)[: LIMITS.shown]}..."
-            raise self.error(f"{what} {shown} does not exist; {_meant(path)}check the path.")
+            near = difflib.get_close_matches(path.name[:200], _names(path.parent), n=1, cutoff=0.75)
+            meant = f"did you mean {str(path.with_name(near[0]))!r}? Or " if near else ""
+            raise self.error(f"{what} {shown} does not exist; {meant}check the path.")
         return self.parse(lambda place: regular_bytes(place, most), path, f"{what} {path}")
 
     def parse(self, read: Callable[[Given], Made], given: Given, what: str) -> Made:
@@ -168,14 +168,6 @@ def misspelt(keys: Iterable[str], known: Iterable[str], where: str) -> list[str]
     return [f"{where}: {show(key)} is not known; did you mean {near[0]!r}?" for key, near in pairs if near]
 
 
-def _such_as(folder: Path, what: str) -> str:
-    """Return ", such as <file>" for the likeliest JSON file in a folder: the one called like `what`, else the first."""
-    names = [name for name in _names(folder) if name.endswith(".json")]
-    likely = f"{what.split()[0]}.json"
-    names = [likely] if likely in names else names[:1]
-    return f", such as {folder / names[0]}" if names else ""
-
-
 def _names(folder: Path) -> list[str]:
     """Return the names in a folder, sorted; none where it cannot be looked into."""
     with suppress(OSError, ValueError):
@@ -183,23 +175,15 @@ def _names(folder: Path) -> list[str]:
     return []
 
 
-def _centimetres(value: float, most: float) -> str:
-    """Return what to ask about a length that is too large: whether it was written in centimetres."""
-    if most > LIMITS.length or value > 100 * most:
-        return ""
-    return f" Lengths are in metres: is it in centimetres? Then write {value / 100:g}."
-
-
 def regular_bytes(path: Path, most: int) -> bytes:
     """Return the content of a regular file of at most `most` bytes; raises `Unreadable` for anything else."""
     if os.path.isdir(path):
         raise Unreadable("is a folder")
     try:
-        descriptor = os.open(path, _HOW)
-        try:
-            content = _content(descriptor, most)
-        finally:
-            os.close(descriptor)
+        with os.fdopen(os.open(path, _HOW), "rb") as file:
+            if not stat.S_ISREG(os.fstat(file.fileno()).st_mode):
+                raise Unreadable("is no regular file but a pipe or a device; write its content to a file and name that")
+            content = file.read(most + 1)
     except (FileNotFoundError, NotADirectoryError, ValueError):  # ValueError: a null byte in the path
         raise Unreadable("does not exist; check the path") from None
     except OSError as error:
@@ -207,14 +191,6 @@ def regular_bytes(path: Path, most: int) -> bytes:
     if len(content) > most:
         raise Unreadable(f"is larger than {most // 1_000_000} MB")
     return content
-
-
-def _content(descriptor: int, most: int) -> bytes:
-    """Return at most one byte more than `most` of an open file."""
-    if not stat.S_ISREG(os.fstat(descriptor).st_mode):
-        raise Unreadable("is no regular file but a pipe or a device; write its content to a file and name that")
-    with os.fdopen(descriptor, "rb", closefd=False) as file:
-        return file.read(most + 1)
 
 
 def inside(path: Path, folders: Iterable[Path]) -> bool:

@@ -24,17 +24,17 @@ _LISTS = ("accessors", "buffers", "bufferViews", "images", "materials", "meshes"
 Entry = Mapping[str, Any]
 
 
-def check_glb(data: bytes, *, most_nodes: int, most_triangles: int) -> None:
+def check_glb(data: bytes) -> None:
     """Raise `Unreadable` for a file that is broken or promises more than is read."""
     header, binary = _chunks(data)
     lists = {name: _entries(header, name) for name in _LISTS}
-    if (count := len(lists["nodes"])) > most_nodes:
-        raise Unreadable(f"has {count} nodes; at most {most_nodes} are read. Merge its parts and export again")
+    if (count := len(lists["nodes"])) > LIMITS.pieces:
+        raise Unreadable(f"has {count} nodes; at most {LIMITS.pieces} are read. Merge its parts and export again")
     if any("uri" in buffer for buffer in lists["buffers"]):
         raise Unreadable("keeps its geometry in another file; export it as one GLB file with everything in it")
     _check_views(lists["bufferViews"], len(binary))
     _check_accessors(lists["accessors"], lists["bufferViews"])
-    _check_triangles(lists, most_triangles)
+    _check_triangles(lists)
     _check_pictures(lists["images"], lists["bufferViews"], binary)
 
 
@@ -87,15 +87,12 @@ def _whole(entry: Entry, key: str, where: str, default: int | None = None, most:
 
 
 def _check_views(views: list[Entry], length: int) -> None:
-    total = 0
     for i, view in enumerate(views):
         where = f"bufferViews[{i}]"
         _whole(view, "buffer", where, most=0)
-        size = _whole(view, "byteLength", where)
-        if _whole(view, "byteOffset", where, 0) + size > length:
+        if _whole(view, "byteLength", where) + _whole(view, "byteOffset", where, 0) > length:
             raise _broken(f"{where} reaches beyond the file")
-        total += size
-    _check_size(total)
+    _check_size(sum(view["byteLength"] for view in views))
 
 
 def _check_accessors(accessors: list[Entry], views: list[Entry]) -> None:
@@ -122,8 +119,8 @@ def _check_size(size: int) -> None:
         raise Unreadable(f"promises {size / 1e6:.0f} MB of numbers; at most {LIMITS.unpacked // 1_000_000} MB are read")
 
 
-def _check_triangles(lists: Mapping[str, list[Entry]], most: int) -> None:
-    """Raise for nodes that are no trees and for meshes that unfold to more than `most` triangles."""
+def _check_triangles(lists: Mapping[str, list[Entry]]) -> None:
+    """Raise for nodes that are no trees and for meshes that unfold to too many triangles."""
     counts = [int(accessor["count"]) for accessor in lists["accessors"]]
     corners = [
         sum(_corners(part, f"meshes[{i}]", counts) for part in _entries(mesh, "primitives"))
@@ -142,8 +139,8 @@ def _check_triangles(lists: Mapping[str, list[Entry]], most: int) -> None:
         for i, node in enumerate(lists["nodes"])
         if "mesh" in node
     )
-    if max(placed, sum(corners)) > 3 * most:
-        raise Unreadable(f"unfolds to more than {most} triangles. Simplify it and export it again")
+    if max(placed, sum(corners)) > 3 * LIMITS.triangles:
+        raise Unreadable(f"unfolds to more than {LIMITS.triangles} triangles. Simplify it and export it again")
 
 
 def _corners(part: Entry, where: str, counts: list[int]) -> int:

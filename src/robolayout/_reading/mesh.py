@@ -35,7 +35,6 @@ _PIECES = {
 }
 _FACES = {".obj": re.compile(rb"^[ \t]*f\b", re.MULTILINE), ".stl": re.compile(rb"^\s*facet\b", re.MULTILINE)}
 
-
 UNSAID = [102, 102, 102, 255]
 """The colour that trimesh gives to what has none, for example where an OBJ's material file is missing."""
 
@@ -79,7 +78,7 @@ def mesh_pieces(data: bytes, suffix: str) -> tuple[Piece, ...]:
 def _check_promises(data: bytes, suffix: str) -> None:
     """Refuse a file that promises more than is read, before anything is unpacked."""
     if suffix == ".glb":
-        check_glb(data, most_nodes=LIMITS.pieces, most_triangles=LIMITS.triangles)
+        check_glb(data)
     elif suffix == ".ply":
         _check_ply(data)
     elif suffix == ".dae":
@@ -171,26 +170,22 @@ def _look(visual: Any, kind: str) -> Look | None:
     image = getattr(surface, "baseColorTexture", None)
     if image is not None:
         light = light * linear(np.asarray(image.convert("RGB"), dtype=np.float64) / 255.0).mean(axis=(0, 1))
+    content = io.BytesIO()
+    if image is not None and getattr(visual, "uv", None) is not None:
+        picture = image.convert("RGB")
+        picture.thumbnail((LIMITS.picture, LIMITS.picture))
+        picture.save(content, "JPEG", quality=88)
     rough, metal = (getattr(surface, f"{name}Factor", None) for name in ("roughness", "metallic"))
     return Look(
         _color(np.append(encoded(light), color[3:4])),
         0.8 if rough is None else float(np.clip(np.nan_to_num(rough), 0.0, 1.0)),
         0.0 if metal is None else float(np.clip(np.nan_to_num(metal), 0.0, 1.0)),
-        None if image is None or getattr(visual, "uv", None) is None else _encoded(image),
+        content.getvalue() or None,
     )
-
-
-def _encoded(image: Any) -> bytes:
-    """Return a picture as a JPEG of at most `LIMITS.picture` pixels a side."""
-    picture = image.convert("RGB")
-    picture.thumbnail((LIMITS.picture, LIMITS.picture))
-    content = io.BytesIO()
-    picture.save(content, "JPEG", quality=88)
-    return content.getvalue()
 
 
 def _color(color: Array) -> tuple[float, float, float, float]:
     """Return three or four channels as usable ones, from 0 to 1."""
-    red, green, blue = (float(channel) for channel in np.clip(np.nan_to_num(color[:3]), 0.0, 1.0))
+    red, green, blue = (round(float(channel), 4) for channel in np.clip(np.nan_to_num(color[:3]), 0.0, 1.0))
     opacity = float(np.clip(np.nan_to_num(color[3], nan=1.0), 0.05, 1.0)) if len(color) > 3 else 1.0
-    return round(red, 4), round(green, 4), round(blue, 4), round(opacity, 4)
+    return red, green, blue, round(opacity, 4)

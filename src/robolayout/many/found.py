@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import os
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any, cast
 
@@ -14,11 +14,12 @@ from robolayout._reading import Checker
 from robolayout.assets import find_category
 from robolayout.many.room import NOTE
 from robolayout.run.result import Result, judge, load_judged
-from robolayout.scene import FLAGS, Agent, Layout, Pose, Scene, load_layout, load_scene, scene_from_dict
-from robolayout.scene.reference import look_up
+from robolayout.scene import FLAGS, Agent, Layout, Pose, Room, Scene, load_layout, load_scene, scene_from_dict
+from robolayout.scene._asset_io import look_up
 
 _CHECK = Checker(InputError)
 FORMAT = "sceneState"  # what such a file says in "format"
+DRAWN = ("source", "style", "dress", "solver", "reach", "seed")  # what a batch drew for a room
 
 _ASTRAY = (ArithmeticError, AttributeError, LookupError, TypeError, ValueError)
 """What is tripped over in a file of another form."""
@@ -57,27 +58,30 @@ def find_rooms(folder: Path, scenes: Path | None = None) -> list[Found]:
     if not folder.is_dir():
         raise InputError(f"{folder} is no folder; name one with scenes and layouts in it.")
     found = [room for here, names, files in os.walk(folder) for room in _here(Path(here), names, files, scenes)]
-    named = [Found(_name(room, folder), room.layout, room.scene, room.facts) for room in found]
-    if not named:
+    if not found:
         raise InputError(
             f"{folder} holds no room: neither scene.json with layout.json, nor X.json with X.layout.json, nor a scene state"
             + ("." if scenes else "; name the folder of the scene files with --scenes if they are elsewhere.")
         )
+    named: list[Found] = []
+    for room in found:
+        path = room.layout if room.layout.name != "layout.json" else room.layout.parent
+        name = path.relative_to(folder).as_posix()
+        for end in (".sceneeval.json", ".layout.json", "_layout.json", ".json"):
+            name = name.removesuffix(end)
+        named.append(replace(room, name=name if name != "." else folder.resolve().name))
     return sorted(named, key=lambda room: room.name)
-
-
-def _name(room: Found, folder: Path) -> str:
-    path = room.layout if room.layout.name != "layout.json" else room.layout.parent
-    name = path.relative_to(folder).as_posix()
-    for end in (".sceneeval.json", ".layout.json", "_layout.json", ".json"):
-        name = name.removesuffix(end)
-    return name if name != "." else folder.resolve().name
 
 
 def _here(here: Path, names: list[str], files: Sequence[str], scenes: Path | None) -> Iterator[Found]:
     """Yield the rooms of one folder."""
     if "scene.json" in files and "layout.json" in files:
-        yield Found("", here, None, _facts(here / NOTE))
+        note, facts = here / NOTE, dict[str, Any]()
+        if os.path.isfile(note):
+            said = _CHECK.mapping(_CHECK.read_json(note, "room"), f"room {note}")
+            row = cast("dict[str, Any]", said.get("row", {}))
+            facts = {key: row[key] for key in DRAWN if row.get(key) not in (None, "")}
+        yield Found("", here, None, facts)
         return
     if scenes is not None and "layout.json" in files and os.path.isfile(scenes / f"{here.name}.json"):
         yield Found("", here / "layout.json", scenes / f"{here.name}.json")
@@ -90,23 +94,10 @@ def _here(here: Path, names: list[str], files: Sequence[str], scenes: Path | Non
         if layout is not None:
             yield Found("", layout, path)
             names[:] = [name for name in names if here / name != layout.parent]
-        elif _is_state(path):
-            yield Found("", path)
-
-
-def _is_state(path: Path) -> bool:
-    """Return whether a file says near its start that it is a scene state."""
-    with path.open("rb") as file:
-        return f'"{FORMAT}"'.encode() in file.read(200)
-
-
-def _facts(note: Path) -> dict[str, Any]:
-    """Return what a batch drew for a room."""
-    if not os.path.isfile(note):
-        return {}
-    row = cast("dict[str, Any]", _CHECK.mapping(_CHECK.read_json(note, "room"), f"room {note}").get("row", {}))
-    drawn = ("source", "style", "dress", "solver", "reach", "seed")
-    return {key: row[key] for key in drawn if row.get(key) not in (None, "")}
+            continue
+        with path.open("rb") as opened:
+            if f'"{FORMAT}"'.encode() in opened.read(200):
+                yield Found("", path)
 
 
 def read_state(data: Json, name: str, asset_dir: Path | None = None) -> tuple[Scene, Layout]:
@@ -123,21 +114,15 @@ def _read(data: Json, name: str, asset_dir: Path | None) -> tuple[Scene, Layout]
     floors = [element for element in elements if element["type"] == "Floor"]
     if len(floors) != 1:
         raise InputError(f"the scene state {name!r} has {len(floors)} floors; one room at a time is evaluated.")
-    floor = [(float(point[0]), float(point[1])) for point in floors[0]["points"]]
     walls = [element for element in elements if element["type"] == "Wall"]
+    height = max((float(wall["height"]) for wall in walls), default=2.6)
+    room = Room(tuple((float(point[0]), float(point[1])) for point in floors[0]["points"]), height)
     content: dict[str, Any] = {
-        "boundary": {
-            "floor_vertices": [[x, y, 0.0] for x, y in floor],
-            "wall_height": max((float(wall["height"]) for wall in walls), default=2.6),
-        }
+        "boundary": {"floor_vertices": [[x, y, 0.0] for x, y in room.vertices], "wall_height": height}
     }
+    holes = [(hole["type"], hole["box"], wall["points"]) for wall in walls for hole in wall.get("holes", ())]
     for kind in ("Door", "Window"):
-        content[f"{kind.lower()}s"] = [
-            _opening(hole["box"], wall["points"], floor)
-            for wall in walls
-            for hole in wall.get("holes", ())
-            if hole["type"] == kind
-        ]
+        content[f"{kind.lower()}s"] = [_opening(box, points, room) for known, box, points in holes if known == kind]
     assets: dict[str, Any] = {}
     poses: dict[str, Pose] = {}
     for thing in state["object"]:
@@ -169,23 +154,13 @@ def _asset(thing: Json, scales: Sequence[float], asset_dir: Path | None) -> dict
     return {**flags, **entry, "assetMetadata": {"boundingBox": box}}
 
 
-def _opening(box: Json, points: Sequence[Sequence[float]], floor: Sequence[tuple[float, float]]) -> dict[str, Any]:
+def _opening(box: Json, points: Sequence[Sequence[float]], room: Room) -> dict[str, Any]:
     """Return a hole of a wall as an opening of the nearest side of the floor."""
     (low, sill), (high, top) = box["min"], box["max"]
     (ax, ay), (bx, by) = (point[:2] for point in points)
-    length = math.dist((ax, ay), (bx, by))
-    along = (low + high) / 2 / length
+    along = (low + high) / 2 / math.dist((ax, ay), (bx, by))
     middle = (ax + (bx - ax) * along, ay + (by - ay) * along)
-    sides = list(zip(floor, [*floor[1:], floor[0]], strict=True))
-    number = min(range(len(sides)), key=lambda i: _apart(middle, *sides[i])[0])
-    offset = _apart(middle, *sides[number])[1] - (high - low) / 2
-    return {"wall": number, "offset": max(offset, 0.0), "width": high - low, "height": top - sill, "sill": sill}
-
-
-def _apart(point: tuple[float, float], start: tuple[float, float], end: tuple[float, float]) -> tuple[float, float]:
-    """Return how far a point is from a side, and how far along it."""
-    length = math.dist(start, end)
-    dx, dy = (end[0] - start[0]) / length, (end[1] - start[1]) / length
-    along = (point[0] - start[0]) * dx + (point[1] - start[1]) * dy
-    held = min(max(along, 0.0), length)
-    return math.dist(point, (start[0] + dx * held, start[1] + dy * held)), along
+    side = min(room.walls, key=lambda wall: wall.distance(middle))
+    (dx, dy), (x, y) = side.direction, side.start
+    offset = (middle[0] - x) * dx + (middle[1] - y) * dy - (high - low) / 2
+    return {"wall": side.index, "offset": max(offset, 0.0), "width": high - low, "height": top - sill, "sill": sill}

@@ -8,7 +8,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from robolayout._errors import did_you_mean
-from robolayout.constraints import RELATIONS, AssetRef, PointRef, Relation, WallRef
+from robolayout.constraints import RELATIONS, AssetRef, PointRef, Ref, Relation, WallRef
 from robolayout.program._program import READING
 from robolayout.scene import Scene
 
@@ -23,7 +23,6 @@ NOUNS = {
 
 OTHER_NAMES = {"asset": "a", "asset1": "a", "asset2": "b", "target": "b", "assets": "items"}
 """Argument names that programs of LayoutVLM use, by ours."""
-
 
 WEIGHT, HEAVIEST = "weight", 100.0  # the keyword that weighs a wish, and the largest weight of one, either way
 
@@ -96,17 +95,13 @@ def _convert(spec: dataclasses.Field[Any], recorded: Recorded, scene: Scene) -> 
     if not items:
         raise ArgumentError("is an empty list")
     if "statement" in spec.metadata["takes"]:
-        return tuple(_way(item) for item in items)
+        ways = [item[1] if item[0] == "list" else [item] for item in items]
+        if any(not way or any(part[0] != "statement" for part in way) for way in ways):
+            raise ArgumentError(f"takes {NOUNS['statement']}")
+        return tuple(tuple(part[1] for part in way) for way in ways)
     if "point" in spec.metadata["takes"] and len(items) < 3:
         raise ArgumentError(f"takes at least 3 points, not {len(items)}")
     return tuple(_one(spec, item, scene) for item in items)
-
-
-def _way(recorded: Recorded) -> tuple[Relation, ...]:
-    parts = recorded[1] if recorded[0] == "list" else [recorded]
-    if not parts or any(part[0] != "statement" for part in parts):
-        raise ArgumentError(f"takes {NOUNS['statement']}")
-    return tuple(part[1] for part in parts)
 
 
 def _one(spec: dataclasses.Field[Any], recorded: Recorded, scene: Scene) -> object:
@@ -114,10 +109,8 @@ def _one(spec: dataclasses.Field[Any], recorded: Recorded, scene: Scene) -> obje
     kind = recorded[0]
     if kind == "list" and len(recorded[1]) == 1 and recorded[1][0][0] == "asset":
         return _one(spec, recorded[1][0], scene)
-    if kind == "asset" and "asset" in takes:
-        return _asset(recorded[1], scene)
-    if kind == "wall" and "wall" in takes:
-        return WallRef(_index(recorded[1], len(scene.room.walls)))
+    if kind in ("asset", "wall") and kind in takes:
+        return _ref(kind, recorded[1], scene)
     if kind in ("point", "list") and "point" in takes:
         return _point(recorded)
     if kind == "number" and ("number" in takes or "integer" in takes):
@@ -131,16 +124,14 @@ def _one(spec: dataclasses.Field[Any], recorded: Recorded, scene: Scene) -> obje
     raise ArgumentError(f"takes {_wanted(spec)}, not {_described(recorded, scene)}")
 
 
-def _asset(name: object, scene: Scene) -> AssetRef:
-    if not isinstance(name, str) or name not in scene.by_name:
-        raise ArgumentError("takes an asset of the scene, not one that was changed or made up")
-    return AssetRef(name)
-
-
-def _index(index: object, count: int) -> int:
-    if not isinstance(index, int) or not 0 <= index < count:
-        raise ArgumentError("takes a wall of the room, not one that was changed or made up")
-    return index
+def _ref(kind: str, value: Any, scene: Scene) -> Ref:
+    """Return the asset of that name, or the wall of that number."""
+    if kind == "asset" and isinstance(value, str) and value in scene.by_name:
+        return AssetRef(value)
+    if kind == "wall" and isinstance(value, int) and 0 <= value < len(scene.room.walls):
+        return WallRef(value)
+    what = "an asset of the scene" if kind == "asset" else "a wall of the room"
+    raise ArgumentError(f"takes {what}, not one that was changed or made up")
 
 
 def _number(value: float, *, whole: bool = False) -> float:
@@ -197,7 +188,7 @@ def _described(recorded: Recorded, scene: Scene) -> str:
 def _check_order(name: str, values: Mapping[str, object]) -> None:
     """Raise where a lowest value lies above its highest (`min_distance`, `max_distance`)."""
     for key, low in values.items():
-        high = values.get(key.replace("min", "max", 1)) if key.startswith("min") else None
+        other = key.replace("min", "max", 1)
+        high = values.get(other) if key.startswith("min") else None
         if isinstance(low, float) and isinstance(high, float) and low > high:
-            other = key.replace("min", "max", 1)
             raise ArgumentError(f"{name}: {key} = {low:g} is above {other} = {high:g}", other)

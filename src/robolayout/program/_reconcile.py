@@ -10,7 +10,6 @@ from collections import Counter
 from dataclasses import dataclass, replace
 from typing import Literal
 
-from robolayout.constraints import Relation
 from robolayout.constraints.distance_constraint import DistanceConstraint
 from robolayout.constraints.on_top_of import OnTopOf
 from robolayout.program._program import Program, Statement
@@ -42,15 +41,10 @@ class Decision:
 
     def to_dict(self) -> dict[str, object]:
         """Return one row of `constraints.json`."""
-        return {
-            "number": self.statement.number,
-            "line": self.statement.line,
-            "source": self.statement.source,
-            "asked": self.statement.relation.sentence(),
-            "verdict": self.verdict,
-            "reason": self.reason,
-            "replacement": self.replacement.relation.sentence() if self.replacement else None,
-        }
+        asked = self.statement
+        row: dict[str, object] = {"number": asked.number, "line": asked.line, "source": asked.source}
+        row |= {"asked": asked.relation.sentence(), "verdict": self.verdict, "reason": self.reason}
+        return row | {"replacement": self.replacement.relation.sentence() if self.replacement else None}
 
 
 @dataclass(frozen=True)
@@ -82,16 +76,12 @@ def reconcile(program: Program, scene: Scene, *, paper: bool = False) -> Reconci
     """
     so_far = Accepted(scene, program, paper)
     decisions: dict[int, Decision] = {}
-    for i in sorted(range(len(program.statements)), key=lambda i: _phase(program.statements[i].relation)):
+    early = [isinstance(s.relation, OnTopOf) - isinstance(s.relation, DistanceConstraint) for s in program.statements]
+    for i in sorted(range(len(early)), key=lambda i: -early[i]):
         decisions[i] = _decide(so_far, program.statements[i])
     ordered = tuple(decisions[i] for i in range(len(program.statements)))
     kept = tuple(statement for decision in ordered if (statement := decision.kept) is not None)
     return Reconciled(replace(program, statements=kept), ordered)
-
-
-def _phase(relation: Relation) -> int:
-    """Return when a relation is decided: what stands on what, all others, distances."""
-    return 0 if isinstance(relation, OnTopOf) else 2 if isinstance(relation, DistanceConstraint) else 1
 
 
 def _decide(so_far: Accepted, statement: Statement) -> Decision:

@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
+from typing import NamedTuple
 
 from robolayout.constraints import TOLERANCE, AssetRef, PointRef, Relation, WallRef
 from robolayout.constraints.against_wall import AgainstWall
@@ -26,16 +27,7 @@ from robolayout.constraints.point_towards import PointTowards
 from robolayout.constraints.row import Row
 from robolayout.constraints.symmetric_pair import SymmetricPair
 from robolayout.constraints.under import Under
-from robolayout.program._headings import heading_gap
-from robolayout.program._possible import (
-    distance_range,
-    free_intervals,
-    hangs,
-    height_span,
-    is_fixed_to_wall,
-    longest,
-    share_height,
-)
+from robolayout.program import _possible as possible
 from robolayout.program._program import Program, Statement
 from robolayout.scene import ROUNDING, Scene
 
@@ -44,8 +36,7 @@ OVERHANG = 1.5
 AtWall = AgainstWall | MountedOn | Row  # relations that put something at a wall
 
 
-@dataclass(frozen=True)
-class Change:
+class Change(NamedTuple):
     """Another relation instead of the one asked."""
 
     relation: Relation
@@ -93,13 +84,13 @@ class Accepted:
 
     def span(self, name: str) -> tuple[float, float]:
         """Return the heights in metres of a thing's bottom and top."""
-        return height_span(self.scene, name, self.parents, self.mounted)
+        return possible.height_span(self.scene, name, self.parents, self.mounted)
 
     def collide(self, first: str, second: str) -> bool:
         """Return whether two things could be in each other's way."""
         flat = self.scene.by_name[first].is_flat or self.scene.by_name[second].is_flat
         related = self.parents.get(first) == second or self.parents.get(second) == first
-        return not flat and not related and share_height(self.span(first), self.span(second))
+        return not flat and not related and possible.share_height(self.span(first), self.span(second))
 
 
 def subjects(relation: Relation) -> tuple[str, ...]:
@@ -161,9 +152,10 @@ def suits(so_far: Accepted, relation: Relation) -> Answer:
     """Reject what a ceiling, wall or floor thing cannot do."""
     assets = so_far.scene.by_name
     moved = [assets[name] for name in subjects(relation)]
-    for asset in moved:
-        if hangs(asset) and _needs_standing(relation):
-            return f"{asset.name} hangs from the ceiling, so {relation.name} does not apply to it"
+    at_wall = isinstance(relation, Row) and relation.wall is not None
+    needs_standing = at_wall or isinstance(relation, AgainstWall | MountedOn | OnTopOf | Corner | Under)
+    if needs_standing and (hung := next((asset for asset in moved if possible.hangs(asset)), None)):
+        return f"{hung.name} hangs from the ceiling, so {relation.name} does not apply to it"
     first = moved[0] if moved else None
     if isinstance(relation, MountedOn) and first and not first.on_wall:
         return f"{first.name} does not hang at walls; against_wall puts it there"
@@ -179,16 +171,11 @@ def suits(so_far: Accepted, relation: Relation) -> Answer:
     return None
 
 
-def _needs_standing(relation: Relation) -> bool:
-    at_wall = isinstance(relation, Row) and relation.wall is not None
-    return at_wall or isinstance(relation, AgainstWall | MountedOn | OnTopOf | Corner | Under)
-
-
 def _suits_rug(so_far: Accepted, relation: Under) -> Answer:
     rug = so_far.scene.by_name[relation.a.name]
     if not rug.is_flat:
         return f"{rug.name} is {rug.size[2]:.2f} m high; only something flat on the floor can lie under others"
-    above = next((i for i in relation.items if hangs(so_far.scene.by_name[i.name])), None)
+    above = next((i for i in relation.items if possible.hangs(so_far.scene.by_name[i.name])), None)
     return f"{above} hangs from the ceiling; nothing lies under it" if above else None
 
 
@@ -228,7 +215,7 @@ def one_heading(so_far: Accepted, relation: Relation) -> Answer:
         change = PointTowards(free, AssetRef(turned[0]))
         return Change(change, f"{turned[0]} is already turned by {where(earlier)}, so only {free} turns")
     for name in turned:
-        gap = heading_gap(so_far, relation, name)
+        gap = possible.heading_gap(so_far, relation, name)
         if gap is None or gap > TOLERANCE.angle:
             away = "" if gap is None else f", {gap:.0f} degrees away"
             return f"{name} is already turned by {where(so_far.headings[name])}{away}; the first one counts"
@@ -277,16 +264,18 @@ def _trouble(so_far: Accepted, relation: AtWall, index: int) -> str | None:
     spans = {name: so_far.span(name) for name in (*names, *so_far.walls)}
     widths = {name: so_far.scene.by_name[name].size[1] for name in spans}
     low, high = min(spans[name][0] for name in names), max(spans[name][1] for name in names)
-    free = free_intervals(so_far.scene.room, wall, (low, high))
+    free = possible.free_intervals(so_far.scene.room, wall, (low, high))
     needed = sum(widths[name] for name in names) + getattr(relation, "gap", 0.0) * (len(names) - 1)
-    room = longest(free)
+    room = possible.longest(free)
     if needed > room + ROUNDING:
         beside = " beside its door" if room < wall.length - ROUNDING else ""
         return f"walls[{index}] has {room:.2f} m{beside}, {' and '.join(names[:3])} need{'s' * (len(names) == 1)} {needed:.2f} m"
     there = [
         name
         for name, where_at in so_far.walls.items()
-        if where_at == index and name not in names and any(share_height(spans[name], spans[new]) for new in names)
+        if where_at == index
+        and name not in names
+        and any(possible.share_height(spans[name], spans[new]) for new in names)
     ]
     taken = sum(widths[name] for name in there)
     total = sum(far - near for near, far in free)
@@ -303,9 +292,9 @@ def stands(so_far: Accepted, relation: Relation) -> Answer:
     a, b = so_far.scene.by_name[relation.a.name], so_far.scene.by_name[relation.b.name]
     if a.name in so_far.parents:
         return f"{a.name} already stands on {so_far.parents[a.name]}"
-    if is_fixed_to_wall(a):
+    if possible.is_fixed_to_wall(a):
         return f"{a.name} hangs at a wall; it does not stand on things"
-    if hangs(b):
+    if possible.hangs(b):
         return f"{b.name} hangs from the ceiling and carries nothing"
     chain = [b.name]
     while chain[-1] in so_far.parents:
@@ -332,7 +321,7 @@ def distance(so_far: Accepted, relation: Relation) -> Answer:
     asset = so_far.scene.by_name[relation.a.name]
     other = relation.b
     collide = isinstance(other, AssetRef) and so_far.collide(asset.name, other.name)
-    least, most = distance_range(so_far.scene, asset, other, collide=collide)
+    least, most = possible.distance_range(so_far.scene, asset, other, collide=collide)
     least, most = math.ceil(least * 100 - ROUNDING) / 100, math.floor(most * 100 + ROUNDING) / 100
     low, high, reasons = relation.min_distance, relation.max_distance, list[str]()
     if high is not None and high < least - ROUNDING:

@@ -59,17 +59,13 @@ def _prelude(scene: Scene, relations: Collection[str]) -> str:
     recorder = (files("robolayout.program") / "data" / "recorder.txt").read_text(encoding="utf-8")
     lines = [recorder, "class _rl_Solver:", "    def __init__(self, site=None, soft=False):"]
     lines += ["        self.site, self.soft = site, soft"]
-    for name in relations:
-        lines.append(f"    def {name}(self, *args, **kwargs):")
-        lines.append(f"        return _rl_record(self.site, {name!r}, args, kwargs, self.soft)")
+    calls = {name: f"return _rl_record(self.site, {name!r}, args, kwargs, self.soft)" for name in relations}
     for name in sorted(MEANINGLESS):
-        lines.append(f"    def {name}(self, *args, **kwargs):")
-        lines.append(f"        _rl_notes.append('solver.{name}() means nothing here and was ignored')")
-    lines += ["solver = _rl_Solver()", "solver.wish = _rl_Solver(None, True)"]
+        calls[name] = f"_rl_notes.append('solver.{name}() means nothing here and was ignored')"
+    lines += [f"    def {name}(self, *args, **kwargs):\n        {body}" for name, body in calls.items()]
+    lines += ["solver = _rl_Solver()", "solver.wish = _rl_Solver(None, True)", "room = _rl_Room(*_rl_scene['room'])"]
     lines.append("walls = [_rl_Wall(*wall) for wall in _rl_scene['walls']]")
-    lines.append("room = _rl_Room(*_rl_scene['room'])")
-    lines.append("_rl_assets = [_rl_Asset(*asset) for asset in _rl_scene['assets']]")
-    lines.append("assets = _rl_assets[:]")
+    lines += ["_rl_assets = [_rl_Asset(*asset) for asset in _rl_scene['assets']]", "assets = _rl_assets[:]"]
     start = 0
     for variable, group in scene.variables.items():
         lines.append(f"{variable} = _rl_assets[{start}:{start + len(group)}]")
@@ -81,22 +77,15 @@ def _scene_data(scene: Scene, limits: Limits) -> dict[str, object]:
     """Return the scene and the limits as plain data for the recorder."""
     room = scene.room
     assets = [
-        [asset.name, f"{variable}[{i}]", asset.category, list(asset.size)]
-        for variable, group in scene.variables.items()
-        for i, asset in enumerate(group)
+        [name, written, scene.by_name[name].category, list(scene.by_name[name].size)]
+        for name, written in scene.expressions.items()
     ]
     walls = [
         [wall.index, list(wall.start), list(wall.end), list(wall.midpoint), list(wall.normal), wall.length]
         for wall in room.walls
     ]
-    return {
-        "assets": assets,
-        "walls": walls,
-        "room": [*room.bounds, room.wall_height],
-        "statements": limits.statements,
-        "items": limits.items,
-        "printed": limits.printed,
-    }
+    bounds = {"statements": limits.statements, "items": limits.items, "printed": limits.printed}
+    return {"assets": assets, "walls": walls, "room": [*room.bounds, room.wall_height], **bounds}
 
 
 def _translate(

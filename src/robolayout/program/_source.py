@@ -84,11 +84,21 @@ def read_source(text: str, relations: Collection[str], variables: Collection[str
     text = plain(text)
     lines = tuple(text.split("\n"))
     tree = _parse(text, lines)
-    if refusal := min(_refusals(tree, relations, variables), default=None):
-        line, column, message = refusal
+    refusals: list[tuple[int, int, str]] = []
+    for node in ast.walk(tree):
+        if message := _refusal(node, relations, variables):
+            column: int = getattr(node, "col_offset", 0)
+            if isinstance(node, ast.Attribute) and node.end_lineno == node.lineno:
+                column = (node.end_col_offset or 0) - len(node.attr.encode())
+            refusals.append((getattr(node, "lineno", 1), column, message))
+    if refusals:
+        line, column, message = min(refusals)
         raise error_at(lines, message, line, characters(lines[line - 1], column))
     sites, edits = _marks(tree, lines, relations, variables)
-    return Source(text, lines, tree, _insert(lines, edits), sites, tuple((r, c, len(t)) for r, c, _, t in edits))
+    rows = list(lines)
+    for line, column, _, mark in reversed(edits):
+        rows[line - 1] = rows[line - 1][:column] + mark + rows[line - 1][column:]
+    return Source(text, lines, tree, "\n".join(rows), sites, tuple((r, c, len(t)) for r, c, _, t in edits))
 
 
 def unwrapped(text: str) -> str:
@@ -120,14 +130,9 @@ def without_line(text: str, line: int) -> str | None:
     lines = text.split("\n")
     first, last = line, line
     with suppress(SyntaxError, ValueError, RecursionError):
-        around = [
-            node
-            for node in ast.walk(ast.parse(text))
-            if isinstance(node, ast.stmt) and node.lineno <= line <= (node.end_lineno or node.lineno)
-        ]
-        if around:
-            found = min(around, key=lambda node: (node.end_lineno or node.lineno) - node.lineno)
-            first, last = found.lineno, found.end_lineno or found.lineno
+        spans = ((n.lineno, n.end_lineno or n.lineno) for n in ast.walk(ast.parse(text)) if isinstance(n, ast.stmt))
+        around = [span for span in spans if span[0] <= line <= span[1]]
+        first, last = min(around, key=lambda span: span[1] - span[0], default=(line, line))
     if not 1 <= first <= last <= len(lines) or not any(row.strip() for row in lines[first - 1 : last]):
         return None
     indent = lines[first - 1][: len(lines[first - 1]) - len(lines[first - 1].lstrip())]
@@ -147,25 +152,21 @@ def strip_fences(text: str) -> str:
     >>> strip_fences("Here it is:\\n```python\\nx = 1\\n```")
     '\\n\\nx = 1\\n'
     """
-    blocks: list[tuple[str, list[int], int]] = []
+    blocks: list[tuple[str, dict[int, str], int]] = []
     lines = text.split("\n")
     inside = False
     for number, line in enumerate(lines):
         if match := FENCE.match(line):
             if not inside:
-                blocks.append((match[2].lower(), [], len(match[1])))
+                blocks.append((match[2].lower(), {}, len(match[1])))
             inside = not inside
         elif inside:
-            blocks[-1][1].append(number)
-    kept = [block for block in blocks if block[0] in PYTHON] or [block for block in blocks if not block[0]]
+            blocks[-1][1][number] = line[min(blocks[-1][2], len(line) - len(line.lstrip())) :]
     if not blocks:
         return text
-    result = [""] * len(lines)
-    for _, numbers, indent in kept:
-        for number in numbers:
-            line = lines[number]
-            result[number] = line[min(indent, len(line) - len(line.lstrip())) :]
-    return "\n".join(result)
+    kept = [block for block in blocks if block[0] in PYTHON] or [block for block in blocks if not block[0]]
+    result = {number: line for _, numbered, _ in kept for number, line in numbered.items()}
+    return "\n".join(result.get(number, "") for number in range(len(lines)))
 
 
 def error_at(
@@ -202,21 +203,13 @@ def _parse(text: str, lines: tuple[str, ...]) -> ast.Module:
         raise ProgramLimitError("the program is nested too deeply to be read; write shorter expressions") from error
 
 
-def _refusals(
-    tree: ast.Module, relations: Collection[str], variables: Collection[str]
-) -> Iterator[tuple[int, int, str]]:
-    """Yield (line, column in bytes, message) for everything that a program may not say."""
-    for node in ast.walk(tree):
-        if message := _refusal(node, relations, variables):
-            column: int = getattr(node, "col_offset", 0)
-            if isinstance(node, ast.Attribute) and node.end_lineno == node.lineno:
-                column = (node.end_col_offset or 0) - len(node.attr.encode())
-            yield getattr(node, "lineno", 1), column, message
-
-
 def _refusal(node: ast.AST, relations: Collection[str], variables: Collection[str]) -> str | None:
     if isinstance(node, ast.Import | ast.ImportFrom):
-        return _refused_import(node)
+        names = [node.module or "."] if isinstance(node, ast.ImportFrom) else [alias.name for alias in node.names]
+        numeric = isinstance(node, ast.Import) and names == [NUMPY]
+        odd = next((name for name in names if name not in IMPORTS and not numeric), None)
+        have = "programs have only math (already there, with pi, radians and degrees)"
+        return f"{odd!r} cannot be imported; {have}" if odd is not None else None
     if isinstance(node, ast.Attribute):
         if node.attr.startswith("_"):
             return f"{node.attr!r}: attributes that start with an underscore do not exist in programs"
@@ -238,14 +231,6 @@ def _dotted(node: ast.expr) -> str:
     if isinstance(node, ast.Attribute):
         return f"{_dotted(node.value)}.{node.attr}" if node.attr == WISH else ""
     return node.id if isinstance(node, ast.Name) else ""
-
-
-def _refused_import(node: ast.Import | ast.ImportFrom) -> str | None:
-    names = [node.module or "."] if isinstance(node, ast.ImportFrom) else [alias.name for alias in node.names]
-    for name in names:
-        if name not in IMPORTS and not (name == NUMPY and isinstance(node, ast.Import) and len(names) == 1):
-            return f"{name!r} cannot be imported; programs have only math (already there, with pi, radians and degrees)"
-    return None
 
 
 def _identifiers(node: ast.AST) -> Iterator[str]:
@@ -319,13 +304,6 @@ def _attributes(tree: ast.Module) -> Iterator[ast.Attribute]:
             yield node
         if not isinstance(node, ast.JoinedStr):
             nodes.extend(ast.iter_child_nodes(node))
-
-
-def _insert(lines: tuple[str, ...], edits: list[Edit]) -> str:
-    rows = list(lines)
-    for line, column, _, text in reversed(edits):
-        rows[line - 1] = rows[line - 1][:column] + text + rows[line - 1][column:]
-    return "\n".join(rows)
 
 
 def characters(row: str, offset: int) -> int:

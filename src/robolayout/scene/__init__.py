@@ -1,40 +1,28 @@
 """The nouns: what is given (room, assets, agents) and what comes out (poses)."""
 
-from robolayout.scene.agent import DEFAULT_AGENT as DEFAULT_AGENT
-from robolayout.scene.agent import Agent as Agent
-from robolayout.scene.agent import Figure as Figure
-from robolayout.scene.agent import Hold as Hold
-from robolayout.scene.agents_io import agent_from_dict as agent_from_dict
-from robolayout.scene.agents_io import agent_names as agent_names
-from robolayout.scene.agents_io import agent_to_dict as agent_to_dict
-from robolayout.scene.agents_io import load_agent as load_agent
-from robolayout.scene.agents_io import load_agents as load_agents
-from robolayout.scene.asset import FLAGS as FLAGS
-from robolayout.scene.asset import FLAT_HEIGHT as FLAT_HEIGHT
-from robolayout.scene.asset import Asset as Asset
-from robolayout.scene.asset import program_variable as program_variable
-from robolayout.scene.asset import split_name as split_name
-from robolayout.scene.asset import variable_name as variable_name
-from robolayout.scene.io import check_dress as check_dress
-from robolayout.scene.io import check_layout as check_layout
-from robolayout.scene.io import digest as digest
-from robolayout.scene.io import layout_digest as layout_digest
-from robolayout.scene.io import layout_from_dict as layout_from_dict
-from robolayout.scene.io import load_layout as load_layout
-from robolayout.scene.io import load_scene as load_scene
-from robolayout.scene.io import scene_digest as scene_digest
-from robolayout.scene.io import scene_from_dict as scene_from_dict
-from robolayout.scene.io import scene_to_dict as scene_to_dict
-from robolayout.scene.layout import Layout as Layout
-from robolayout.scene.layout import Pose as Pose
-from robolayout.scene.layout import Snapshot as Snapshot
-from robolayout.scene.layout import Trace as Trace
-from robolayout.scene.layout import vertical_span as vertical_span
-from robolayout.scene.room import OPENINGS as OPENINGS
-from robolayout.scene.room import ROUNDING as ROUNDING
-from robolayout.scene.room import Opening as Opening
-from robolayout.scene.room import Point as Point
-from robolayout.scene.room import Room as Room
-from robolayout.scene.room import Wall as Wall
-from robolayout.scene.scene import DRESSINGS as DRESSINGS
-from robolayout.scene.scene import Scene as Scene
+from robolayout.scene.agent import DEFAULT_AGENT, Agent, Figure, Hold
+from robolayout.scene.agents_io import agent_from_dict, agent_names, agent_to_dict, load_agent, load_agents
+from robolayout.scene.asset import FLAGS, FLAT_HEIGHT, Asset, program_variable, split_name, variable_name
+from robolayout.scene.io import (
+    check_dress,
+    check_layout,
+    digest,
+    layout_digest,
+    layout_from_dict,
+    load_layout,
+    load_scene,
+    scene_digest,
+    scene_from_dict,
+    scene_to_dict,
+)
+from robolayout.scene.layout import Layout, Pose, Snapshot, Trace, vertical_span
+from robolayout.scene.room import OPENINGS, ROUNDING, Opening, Point, Room, Wall
+from robolayout.scene.scene import DRESSINGS, Scene
+
+__all__ = [
+    "DEFAULT_AGENT", "DRESSINGS", "FLAGS", "FLAT_HEIGHT", "OPENINGS", "ROUNDING", "Agent", "Asset", "Figure", "Hold",
+    "Layout", "Opening", "Point", "Pose", "Room", "Scene", "Snapshot", "Trace", "Wall", "agent_from_dict",
+    "agent_names", "agent_to_dict", "check_dress", "check_layout", "digest", "layout_digest", "layout_from_dict",
+    "load_agent", "load_agents", "load_layout", "load_scene", "program_variable", "scene_digest", "scene_from_dict",
+    "scene_to_dict", "split_name", "variable_name", "vertical_span",
+]  # fmt: skip

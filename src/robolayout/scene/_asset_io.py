@@ -4,23 +4,22 @@ from __future__ import annotations
 
 import os
 import unicodedata
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path
 
-from robolayout._errors import SceneError, did_you_mean
+from robolayout._errors import AssetError, SceneError, did_you_mean
 from robolayout._reading import LIMITS, MESH_SUFFIXES, Checker, inside, misspelt, show
 from robolayout._text import printable
-from robolayout.scene import reference
-from robolayout.scene.asset import FLAGS, Asset, by_variable, split_name
+from robolayout.scene.asset import FLAGS, Asset, by_variable, split_name, variable_name
 
 NO_TEXT = "\ufffe\uffff"  # code points that are no characters, and that XML cannot hold
 SIDES = ("front", "back", "left", "right")  # sides that an asset can be used from
-_CHECK = Checker(SceneError)
+_CHECK, _ASSET = Checker(SceneError), Checker(AssetError)
 Entry = Mapping[str, object]  # one asset as a scene file gives it
 _KNOWN = ("category", "description", "path", "useSides", "like", "parts", "without", "from", "assetMetadata", *FLAGS)
 
 
-def read_assets(data: Entry, *, base: Path | None, asset_dir: Path | None, warnings: list[str]) -> tuple[Asset, ...]:
+def read_assets(data: Entry, base: Path | None, asset_dir: Path | None, warnings: list[str]) -> tuple[Asset, ...]:
     """Return the assets of a scene file in the folder `base`, in its order; `warnings` gets a sentence for what was mended."""
     entries = _CHECK.inner(data, "assets", "the scene", "assets")
     if not 0 < len(entries) <= LIMITS.assets:
@@ -36,7 +35,7 @@ def read_assets(data: Entry, *, base: Path | None, asset_dir: Path | None, warni
         if name in assets:
             raise SceneError(f"two assets are called {name!r} (one of them is {show(key)}); give each its own name.")
         assets[name] = _asset(name, entry, folders, warnings)
-    _warn_of_gaps(assets.values(), warnings)
+    warnings.extend(_gaps(assets.values()))
     return tuple(assets.values())
 
 
@@ -67,7 +66,7 @@ def _named(entries: dict[str, Entry], asset_dir: Path | None) -> dict[str, tuple
             f"asset {show(unknown[0])} has no assetMetadata: give its boundingBox (x: depth, y: width, z: height, in "
             "metres), or name the catalogue (catalogue, from) or the folder (--asset-dir) in which to look it up."
         )
-    found = reference.look_up(unknown, asset_dir) if asset_dir is not None and unknown else {}
+    found = look_up(unknown, asset_dir) if asset_dir is not None and unknown else {}
     looked_up = {key: (name, entry | dict(entries[key])) for key, (name, entry) in found.items()}
     return {key: looked_up.get(key, (key, entry)) for key, entry in entries.items()}
 
@@ -150,29 +149,25 @@ def _mesh(value: object, where: str, folders: list[Path]) -> Path | None:
         )
     for place in allowed:
         if os.path.isfile(place):
-            _check_length(place, text, where)
+            length = place.stat().st_size
+            if length > LIMITS.mesh_bytes:
+                most = LIMITS.mesh_bytes // 1_000_000
+                raise SceneError(
+                    f"{where}: path {show(text)} has {length / 1e6:.0f} MB; at most {most} MB are read. "
+                    "Simplify the mesh or leave path out for a built-in shape."
+                )
             return place.resolve()
     raise SceneError(f"{where}: path {show(text)} does not exist; correct it or leave it out for a built-in shape.")
 
 
-def _check_length(place: Path, text: str, where: str) -> None:
-    """Raise SceneError if a mesh file is larger than is read."""
-    length = place.stat().st_size
-    if length > LIMITS.mesh_bytes:
-        raise SceneError(
-            f"{where}: path {show(text)} has {length / 1e6:.0f} MB; at most {LIMITS.mesh_bytes // 1_000_000} MB are read. "
-            "Simplify the mesh or leave path out for a built-in shape."
-        )
-
-
-def _warn_of_gaps(assets: Iterable[Asset], warnings: list[str]) -> None:
+def _gaps(assets: Iterable[Asset]) -> Iterator[str]:
     """Warn where the numbers of a variable have a gap or stand twice, since a program counts its list without either."""
     for variable, group in by_variable(assets).items():
         odd = next((i for i, asset in enumerate(group) if asset.index != i), None)
         if odd is not None:
-            place, name = f"{variable}[{odd}]", group[odd].name
-            gap = f"there is no {variable}-{odd}" if group[odd].index > odd else f"{variable} stands for several names"
-            warnings.append(f"{gap}: in a program, {place} is {name}.")
+            gap = f"{variable} stands for several names"
+            gap = f"there is no {variable}-{odd}" if group[odd].index > odd else gap
+            yield f"{gap}: in a program, {variable}[{odd}] is {group[odd].name}."
 
 
 def find_catalogue(value: object, folders: Iterable[Path]) -> Path | None:
@@ -215,3 +210,54 @@ def described(entries: Mapping[str, Entry], catalogue: Path | None) -> dict[str,
         takes = key in known and ("from" in entry or "assetMetadata" not in entry)
         found[name] = {**_CHECK.mapping(known[key], f"{catalogue.name}: {show(key)}"), **given} if takes else given
     return found
+
+
+def look_up(keys: Iterable[str], asset_dir: Path) -> dict[str, tuple[str, dict[str, object]]]:
+    """Return for each key `<uid>-<n>` its name in the scene and its entry in the format of DESIGN section 3.
+
+    `DIR/<uid>/data.json` holds the annotations and `DIR/<uid>/<uid>.glb` the mesh. In those raw files the bounding box's x
+    is the width and y the depth, so they are swapped here, once. Names come from the category: two chairs of one uid are
+    `chair-0` and `chair-1`; chairs of two uids are `chair_A-0` and `chair_B-0`.
+    """
+    if not asset_dir.is_dir():
+        raise AssetError(f"asset folder {asset_dir} does not exist; check --asset-dir.")
+    uids: dict[str, list[str]] = {}
+    for key in keys:
+        uids.setdefault(key.rpartition("-")[0] or key, []).append(key)
+    entries = {uid: _looked_up(uid, asset_dir) for uid in uids}
+    shared: dict[str, list[str]] = {}  # uids that share a category, which get a letter each
+    for uid, entry in entries.items():
+        shared.setdefault(variable_name(str(entry["category"])), []).append(uid)
+    variables = {
+        uid: name if len(group) == 1 else f"{name}_{_letters(i)}"
+        for name, group in shared.items()
+        for i, uid in enumerate(group)
+    }
+    return {key: (f"{variables[uid]}-{n}", entries[uid]) for uid in uids for n, key in enumerate(uids[uid])}
+
+
+def _looked_up(uid: str, asset_dir: Path) -> dict[str, object]:
+    folder = asset_dir / uid
+    if Path(uid).name != uid or not inside(folder, [asset_dir]):
+        raise AssetError(f"asset uid {show(uid)} is not the name of a folder inside {asset_dir}.")
+    path = folder / "data.json"
+    if not os.path.isfile(path):
+        raise AssetError(f"asset {show(uid)} is missing: there is no {path}; check --asset-dir.")
+    where = f"{uid}/data.json"
+    data = _ASSET.mapping(_ASSET.read_json(path, "asset file"), where)
+    annotations = _ASSET.inner(data, "annotations", where)
+    category = _ASSET.required(annotations, "category", f"{where}: annotations")
+    entry: dict[str, object] = {"category": _ASSET.text(category, f"{where}: category", most=200), "uid": uid}
+    entry |= {key: annotations[key] for key in ("description", *FLAGS, "frontView") if key in annotations}
+    width, depth, height = _ASSET.bounding_box(data, where)
+    entry["assetMetadata"] = {"boundingBox": {"x": depth, "y": width, "z": height}}
+    mesh = folder / f"{uid}.glb"
+    if os.path.isfile(mesh):
+        entry["path"] = str(mesh.resolve())
+    return entry
+
+
+def _letters(number: int) -> str:
+    """Return A, B, ..., Z, AA, AB, ... for 0, 1, 2, ..."""
+    tail = chr(ord("A") + number % 26)
+    return tail if number < 26 else _letters(number // 26 - 1) + tail

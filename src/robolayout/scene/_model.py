@@ -11,19 +11,16 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from importlib.util import find_spec
 from pathlib import Path
-from typing import TYPE_CHECKING
+from xml.etree.ElementTree import Element
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.spatial.transform import Rotation
 
 from robolayout._errors import AgentError, MissingExtraError
 from robolayout._reading import LIMITS, Checker, inside, regular_bytes, show
+from robolayout._reading.mesh import mesh_pieces
 from robolayout._reading.syntax import xml_root
-
-if TYPE_CHECKING:
-    from xml.etree.ElementTree import Element
-
-    from scipy.spatial.transform import Rotation
 
 Matrix = NDArray[np.float64]
 
@@ -112,20 +109,16 @@ class Model:
     def mesh(self, filename: str) -> Matrix:
         """Return the vertices (n, 3) of a mesh file of the model's package."""
         path = self.find(filename, "mesh", MESH_SUFFIXES)
-        if path not in self.meshes:
-            self.meshes[path] = self._vertices(path)
-        return self.meshes[path]
-
-    def _vertices(self, path: Path) -> Matrix:
-        from robolayout._reading.mesh import mesh_pieces
-
+        if path in self.meshes:
+            return self.meshes[path]
         what, suffix = f"agent file {self.path}: mesh {path.name}", path.suffix.lower()
         if suffix == ".dae" and find_spec("collada") is None:
             raise MissingExtraError(f"{what}, a COLLADA file,", "sim")
         content = CHECK.parse(lambda file: regular_bytes(file, LIMITS.model_bytes), path, what)
         self.take(len(content))
         pieces = CHECK.parse(lambda data: mesh_pieces(data, suffix), content, what)
-        return np.concatenate([piece.vertices for piece in pieces])
+        self.meshes[path] = np.concatenate([piece.vertices for piece in pieces])
+        return self.meshes[path]
 
 
 def transform(at: Sequence[float] | Matrix, turn: Rotation | None = None) -> Matrix:

@@ -28,10 +28,13 @@ def read_room(data: Mapping[str, object], warnings: list[str]) -> Room:
     room = Room(vertices, height, floor=_CHECK.text(boundary.get("floor", ""), "boundary.floor", most=40))
     _check_shape(room)
     _check_units(room, warnings)
-    doors = _openings(data, "doors", room, warnings)
-    windows = _openings(data, "windows", room, warnings)
-    _check_overlaps([*doors, *windows])
-    room = replace(room, doors=tuple(o for _, o in doors), windows=tuple(o for _, o in windows))
+    named = {key: _openings(data, key, room, warnings) for key in ("doors", "windows")}
+    for (name_a, a), (name_b, b) in combinations([*named["doors"].items(), *named["windows"].items()], 2):
+        along = min(a.offset + a.width, b.offset + b.width) - max(a.offset, b.offset)
+        upwards = min(a.sill + a.height, b.sill + b.height) - max(a.sill, b.sill)
+        if a.wall == b.wall and along > ROUNDING and upwards > ROUNDING:
+            raise SceneError(f"{name_a} and {name_b} overlap by {along:.3f} m on wall {a.wall}; move one of them.")
+    room = replace(room, **{key: tuple(found.values()) for key, found in named.items()})
     if room.area > 0:
         return room
     warnings.append("the room's corners ran clockwise and were turned around; doors and windows stay where they were.")
@@ -121,9 +124,9 @@ def _touching(a: Wall, b: Wall, room: Room) -> bool:
     return crossing or min(ends) < ROUNDING
 
 
-def _openings(data: Mapping[str, object], key: str, room: Room, warnings: list[str]) -> list[tuple[str, Opening]]:
-    entries = _CHECK.sequence(data.get(key, []), key, most=LIMITS.openings)
-    return [(f"{key}[{i}]", _opening(entry, f"{key}[{i}]", room, warnings)) for i, entry in enumerate(entries)]
+def _openings(data: Mapping[str, object], key: str, room: Room, warnings: list[str]) -> dict[str, Opening]:
+    entries = enumerate(_CHECK.sequence(data.get(key, []), key, most=LIMITS.openings))
+    return {(where := f"{key}[{i}]"): _opening(entry, where, room, warnings) for i, entry in entries}
 
 
 def _opening(value: object, where: str, room: Room, warnings: list[str]) -> Opening:
@@ -162,14 +165,6 @@ def _leaf(data: Mapping[str, object], where: str) -> dict[str, Any]:
     return leaf
 
 
-def _check_overlaps(openings: list[tuple[str, Opening]]) -> None:
-    for (name_a, a), (name_b, b) in combinations(openings, 2):
-        along = min(a.offset + a.width, b.offset + b.width) - max(a.offset, b.offset)
-        upwards = min(a.sill + a.height, b.sill + b.height) - max(a.sill, b.sill)
-        if a.wall == b.wall and along > ROUNDING and upwards > ROUNDING:
-            raise SceneError(f"{name_a} and {name_b} overlap by {along:.3f} m on wall {a.wall}; move one of them.")
-
-
 def _turned(room: Room) -> Room:
     """Return the same room with its corners in the other direction; vertex 0 stays, wall i becomes wall n - 1 - i."""
     count = len(room.vertices)
@@ -179,9 +174,7 @@ def _turned(room: Room) -> Room:
         offset = max(length - opening.offset - opening.width, 0.0)
         return replace(opening, wall=count - 1 - opening.wall, offset=offset)
 
+    vertices = (room.vertices[0], *reversed(room.vertices[1:]))
     return replace(
-        room,
-        vertices=(room.vertices[0], *reversed(room.vertices[1:])),
-        doors=tuple(moved(door) for door in room.doors),
-        windows=tuple(moved(window) for window in room.windows),
+        room, vertices=vertices, doors=tuple(map(moved, room.doors)), windows=tuple(map(moved, room.windows))
     )

@@ -11,23 +11,17 @@ from __future__ import annotations
 import math
 import tomllib
 from collections.abc import Iterable, Mapping
-from dataclasses import replace
+from dataclasses import fields, replace
 from functools import cache
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import Any
 
 from robolayout._errors import AgentError, UnknownNameError
 from robolayout._reading import LIMITS, Checker, show
 from robolayout.scene.agent import BODY, Agent, Source
 from robolayout.scene.room import Room
 
-if TYPE_CHECKING:
-    from importlib.metadata import EntryPoint
-
-FIGURES = (
-    "radius", "height", "length", "width", "turning_diameter", "turning_radius", "reach_distance", "reach_low",
-    "reach_high", "shoulder_height", "knee_height", "step",
-)  # fmt: skip
+FIGURES = tuple(one.name for one in fields(Agent) if one.type in ("float", "float | None"))
 """Figures of a profile, in metres; `reach` is short for `reach_distance`."""
 ENTRY_POINTS = "robolayout.agents"
 """Entry-point group through which other packages add agents: each loads to a dictionary or the path of a profile."""
@@ -54,9 +48,7 @@ def load_agent(spec: str | Path | Mapping[str, object] | Agent) -> Agent:
         from robolayout.scene.robot import load_robot
 
         return checked(load_robot(path))
-    if path.suffix.lower() in (".toml", ".json"):
-        return _load_profile(path)
-    return built_in_agent(str(spec))
+    return _load_profile(path) if path.suffix.lower() in (".toml", ".json") else built_in_agent(str(spec))
 
 
 def load_agents(spec: str | Path | Mapping[str, object] | Agent | Iterable[object]) -> tuple[Agent, ...]:
@@ -104,7 +96,9 @@ def agent_from_dict(data: object, name: str = "agent") -> Agent:
             figures[key], source = _figure(value, f"agent {label!r}: {key}", key)
             sources |= {key: source} if source else {}
     if "radius" not in figures:
-        figures["radius"] = _half_passage(figures, label)
+        if "width" not in figures:
+            raise AgentError(f"agent {label!r} has no radius; give it in metres, or length and width for a rectangle.")
+        figures["radius"] = figures["width"] / 2 + BODY.clearance
     if "height" not in figures:
         raise AgentError(f"agent {label!r} has no height; give it in metres.")
     return checked(Agent(name=label, title=title, sources=sources, reach_bands=bands, figure=None, **figures))
@@ -176,7 +170,7 @@ def _built_in(name: str) -> Agent:
     return _load_profile(_FOLDER / f"{name}.toml")
 
 
-def _outside() -> dict[str, EntryPoint]:
+def _outside() -> dict[str, Any]:
     """Return the agents of installed packages by name."""
     from importlib.metadata import entry_points
 
@@ -241,10 +235,3 @@ def _positive(value: object, where: str, key: str) -> float:
     if key == "radius" and value == 0 and not isinstance(value, bool):
         raise AgentError(f"{where} is 0: a point has no body to get through the room; give a radius above 0 m.")
     return _CHECK.number(value, f"{where} (metres)", above=0.0, most=LIMITS.body)
-
-
-def _half_passage(figures: Mapping[str, float], label: str) -> float:
-    """Return the radius of a rectangular body without one: half its width and the clearance."""
-    if "width" not in figures:
-        raise AgentError(f"agent {label!r} has no radius; give it in metres, or length and width for a rectangle.")
-    return figures["width"] / 2 + BODY.clearance

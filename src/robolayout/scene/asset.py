@@ -62,7 +62,6 @@ FLAGS = {"onFloor": "on_floor", "onWall": "on_wall", "onCeiling": "on_ceiling", 
 LIES_ABOUT = "liesAbout"  # key of the metadata of what people leave about: nobody is asked to get to it
 FLAT_HEIGHT = 0.03  # height in metres below which a floor asset is a rug
 
-
 _LANGUAGE = (
     "solver, walls, room, assets, assetinstance, math, radians, degrees, pi, range, len, enumerate, zip, min, "
     "max, abs, sum, round, print, int, float, str, bool, list, dict, tuple, set, sorted, reversed, any, all, map, filter"
@@ -78,7 +77,11 @@ def variable_name(words: str) -> str:
     Accents are dropped ("Bücherregal": "bucherregal"); letters without a Latin one are written as their code points
     ("桌子": "u684c_u5b50").
     """
-    latin = "".join(map(_latin, words.strip().lower()))
+    latin = ""
+    for letter in words.strip().lower():  # itself, without its accent, or its code point between spaces
+        kind = unicodedata.category(letter)[0]
+        code = "" if kind == "M" else f" u{ord(letter):x} " if kind in "LNS" else " "
+        latin += "".join(part for part in unicodedata.normalize("NFKD", letter) if part.isascii()) or code
     name = re.sub(r"\W+", "_", latin, flags=re.ASCII).strip("_")
     if not name:
         return "asset"
@@ -115,10 +118,3 @@ def split_name(name: str) -> tuple[str, int]:
 def _is_word(name: str) -> bool:
     """Return whether a name means something else in a program, whatever its case."""
     return keyword.iskeyword(name) or keyword.iskeyword(name.lower()) or name.lower() in RESERVED_NAMES
-
-
-def _latin(letter: str) -> str:
-    """Return one character in ASCII: itself, without its accent, or its code point between spaces."""
-    plain = "".join(part for part in unicodedata.normalize("NFKD", letter) if part.isascii())
-    kind = unicodedata.category(letter)[0]
-    return plain or ("" if kind == "M" else f" u{ord(letter):x} " if kind in "LNS" else " ")

@@ -42,12 +42,8 @@ def scene_from_dict(
     content = _SCENE.mapping(data, "the scene")
     warnings = misspelt(content, _KEYS, "the scene")
     room = read_room(content, warnings)
-    assets = read_assets(
-        content,
-        base=None if base is None else Path(base),
-        asset_dir=None if asset_dir is None else Path(asset_dir),
-        warnings=warnings,
-    )
+    home, other = (None if place is None else Path(place) for place in (base, asset_dir))
+    assets = read_assets(content, home, other, warnings)
     from robolayout.scene._fit import check_fit
 
     check_fit(room, assets)
@@ -160,9 +156,7 @@ def layout_digest(layout: Layout) -> str:
 def scene_digest(scene: Scene) -> str:
     """Return the digest of the content of a scene file; of a mesh only the file's name counts, not the folder it is in."""
     content: dict[str, Any] = scene_to_dict(scene)
-    return digest(content | {"assets": {name: _without_folder(entry) for name, entry in content["assets"].items()}})
-
-
-def _without_folder(entry: Mapping[str, Any]) -> dict[str, Any]:
-    path = entry.get("path")
-    return dict(entry) | ({"path": PurePath(path).name} if isinstance(path, str) else {})
+    for entry in content["assets"].values():
+        if isinstance(entry.get("path"), str):
+            entry["path"] = PurePath(entry["path"]).name
+    return digest(content)

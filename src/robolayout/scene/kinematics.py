@@ -11,15 +11,14 @@ from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING, Literal
+from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.spatial import ConvexHull, QhullError
+from scipy.spatial.transform import Rotation
 
 from robolayout.scene._model import spread
-
-if TYPE_CHECKING:
-    from scipy.spatial import ConvexHull
 
 Array = NDArray[np.float64]
 Kind = Literal["fixed", "revolute", "prismatic"]
@@ -44,7 +43,6 @@ class FoldConfig:
 
 FOLDING = FoldConfig()
 
-
 HANDS = ("gripper", "grasp", "finger", "hand", "tool", "palm", "suction")
 """Words in the names of links that say where an arm ends."""
 
@@ -66,8 +64,6 @@ class Joint:
 
     def motion(self, values: Array) -> Array:
         """Return the child's poses (n, 4, 4) in the parent's frame for values (n,)."""
-        from scipy.spatial.transform import Rotation
-
         moved = np.tile(np.eye(4), (len(values), 1, 1))
         if self.kind == "prismatic":
             moved[:, :3, 3] = values[:, None] * self.axis
@@ -143,11 +139,6 @@ class Robot:
         free = (j for j in self.joints if j.kind != "fixed" and j.mimics is None and j.low < j.high)
         return tuple(joint for joint in free if not self.beyond(joint) & standing)
 
-    def led(self, values: Mapping[str, float]) -> dict[str, float]:
-        """Return values of joints with those of the joints that follow them."""
-        follow = ((joint.name, joint.mimics) for joint in self.joints if joint.mimics is not None)
-        return {**values, **{name: by * values.get(leader, 0.0) + off for name, (leader, by, off) in follow}}
-
     @cached_property
     def rest(self) -> dict[str, float]:
         """All arms at 0, or as near to it as they come."""
@@ -189,8 +180,6 @@ class Robot:
 
     @cached_property
     def _solids(self) -> dict[str, ConvexHull]:
-        from scipy.spatial import ConvexHull, QhullError
-
         found: dict[str, ConvexHull] = {}
         for link, hull in self._coarse.items():
             with suppress(QhullError, ValueError):
@@ -277,18 +266,14 @@ class Robot:
 
 
 def hulls(clouds: Mapping[str, Sequence[Array]]) -> dict[str, Array]:
-    """Return the corners of the convex hulls of links, by the points (n, 3) on their shapes."""
-    return {link: _hull(np.concatenate(shapes)) for link, shapes in clouds.items() if shapes}
-
-
-def _hull(points: Array) -> Array:
-    """Return the corners of the convex hull of points (n, 3); flat ones stay as they are."""
-    from scipy.spatial import ConvexHull, QhullError
-
-    try:
-        return points[ConvexHull(points).vertices]
-    except (QhullError, ValueError):
-        return np.unique(points, axis=0)
+    """Return the corners of the convex hulls of links, by the points (n, 3) on their shapes; flat ones stay as they are."""
+    found = {link: np.concatenate(shapes) for link, shapes in clouds.items() if shapes}
+    for link, points in found.items():
+        try:
+            found[link] = points[ConvexHull(points).vertices]
+        except (QhullError, ValueError):
+            found[link] = np.unique(points, axis=0)
+    return found
 
 
 def _column(values: Mapping[str, float]) -> dict[str, Array]:

@@ -10,17 +10,14 @@ import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import TYPE_CHECKING
 from xml.etree.ElementTree import Element
 
 import numpy as np
+from scipy.spatial.transform import Rotation
 
 from robolayout._reading import LIMITS, show
 from robolayout.scene._model import Matrix, Model, ball, box, capsule, cylinder, transform
 from robolayout.scene.kinematics import Joint, Kind, Robot, hulls
-
-if TYPE_CHECKING:
-    from scipy.spatial.transform import Rotation
 
 Attributes = Mapping[str, str]
 
@@ -88,7 +85,12 @@ class _Reader:
 
     def robot(self) -> Robot:
         """Return the robot."""
-        bodies = [self._top(body) for world in self.whole.iterfind("worldbody") for body in self._bodies(world)]
+        bodies: list[_Body] = []
+        for element, frame in (found for world in self.whole.iterfind("worldbody") for found in self._bodies(world)):
+            bodies.append(_Body(element.get("name") or "body"))
+            pose = frame @ self._pose(element.attrib, f"body {show(bodies[-1].name)}")
+            pose[:3, 3] = 0.0
+            self._body(element, ROOT, pose, "main", bodies[-1])
         solid = [body for body in bodies if body.clouds]
         able = [body for body in solid if body.inner] or solid
         if not able:
@@ -131,14 +133,6 @@ class _Reader:
                 yield child, pose
             elif child.tag == "frame":
                 yield from self._bodies(child, pose @ self._pose(child.attrib, "frame"))
-
-    def _top(self, found: tuple[Element, Matrix]) -> _Body:
-        element, frame = found
-        body = _Body(element.get("name") or "body")
-        pose = frame @ self._pose(element.attrib, f"body {show(body.name)}")
-        pose[:3, 3] = 0.0
-        self._body(element, ROOT, pose, "main", body)
-        return body
 
     def _body(self, element: Element, parent: str, pose: Matrix, child_class: str, body: _Body) -> None:
         """Add a body with all that is on it; `pose` is its own in its parent's frame."""
@@ -199,11 +193,10 @@ class _Reader:
             low, high = (unit * value for value in self.model.numbers(said.get("range"), f"{where}, range", 2))
         at = np.array(self.model.numbers(said.get("pos"), f"{where}, pos", 3))
         moves: Kind = "revolute" if turns else "prismatic"
-        follows = self.follows.get(name)
-        joint = Joint(name, parent, f"{name} (joint)", pose @ transform(at), moves, axis, low, max(low, high), follows)
+        child, follows = f"{name} (joint)", self.follows.get(name)
+        joint = Joint(name, parent, child, pose @ transform(at), moves, axis, low, max(low, high), follows)
         if start := unit * self.model.numbers(said.get("ref", "0"), f"{where}, ref", 1)[0]:
-            back = joint.motion(np.array([-start]))[0]
-            joint = Joint(name, parent, joint.child, back, moves, axis, low, max(low, high), follows)
+            joint = replace(joint, origin=joint.motion(np.array([-start]))[0])
         return joint, transform(-at)
 
     def _pose(self, said: Attributes, where: str) -> Matrix:
@@ -212,8 +205,6 @@ class _Reader:
 
     def _rotation(self, said: Attributes, where: str) -> Rotation | None:
         """Return the rotation that attributes give in one of MuJoCo's five ways; None for none."""
-        from scipy.spatial.transform import Rotation
-
         counts = {"quat": 4, "euler": 3, "axisangle": 4, "xyaxes": 6, "zaxis": 3}
         given = next((key for key in counts if key in said), None)
         if given is None:
@@ -258,9 +249,8 @@ class _Reader:
         size = " ".join(said.get("size", "").split()[:count])
         sizes = [*self.model.sizes(size, f"{where}: size", count), *half]
         sizes = [sizes[0], *sizes] if half and counts[kind] == 3 else sizes
-        makers = {"capsule": capsule, "cylinder": cylinder}
-        if kind in makers:
-            points = makers[kind](sizes[0], sizes[1])
+        if kind in ("capsule", "cylinder"):
+            points = (capsule if kind == "capsule" else cylinder)(*sizes)
         else:
             points = box(sizes) if kind == "box" else ball(sizes if kind == "ellipsoid" else sizes * 3)
         return self.model.placed(points, frame @ pose)
@@ -292,6 +282,4 @@ class _Reader:
 
 def _facing(z: Matrix) -> Rotation | None:
     """Return the smallest turn that brings the z axis to a direction; None where it has no length."""
-    from scipy.spatial.transform import Rotation
-
     return Rotation.align_vectors([z], [[0.0, 0.0, 1.0]])[0] if np.linalg.norm(z) > 1e-12 else None

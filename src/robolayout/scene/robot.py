@@ -42,7 +42,9 @@ def load_robot(path: Path, pose: Mapping[str, float] | None = None) -> Agent:
     agent = _agent(points, f"collision geometry of the {kind} model {body.name}, {how}", body)
     middle = np.zeros(2) if agent.length is None else (points.min(axis=0) + points.max(axis=0))[:2] / 2
     foot = (float(middle[0]), float(middle[1]), float(points[:, 2].min()))
-    return replace(agent, figure=Figure(path, body.led(values), foot))
+    follow = ((joint.name, joint.mimics) for joint in body.joints if joint.mimics is not None)
+    led = {name: by * values.get(leader, 0.0) + off for name, (leader, by, off) in follow}
+    return replace(agent, figure=Figure(path, {**values, **led}, foot))
 
 
 def _given(body: Robot, pose: Mapping[str, float], model: Model) -> dict[str, float]:

@@ -8,6 +8,7 @@ from collections.abc import Mapping
 from xml.etree.ElementTree import Element
 
 import numpy as np
+from scipy.spatial.transform import Rotation
 
 from robolayout._reading import show
 from robolayout.scene._model import Matrix, Model, ball, box, cylinder, transform
@@ -39,8 +40,6 @@ def _children(element: Element, tag: str, model: Model) -> list[Element]:
 
 def _origin(element: Element, model: Model) -> Matrix:
     """Return the 4 x 4 transform of an element's <origin>: fixed-axis roll, pitch, yaw and translation."""
-    from scipy.spatial.transform import Rotation
-
     origin = element.find("origin")
     if origin is None:
         return np.eye(4)
