@@ -47,17 +47,8 @@ class Repeat:
     only: tuple[frozenset[int], int] = (frozenset({0}), 1)  # (remainders, divisor) of the times at which it is drawn
 
 
-@dataclass(frozen=True)
-class Test:
-    """When a row is drawn."""
-
-    styles: tuple[tuple[frozenset[int], int], ...]  # (remainders, divisor) that the thing's style must have
-    limits: tuple[tuple[int, str], ...]  # (value, relation to 0) that its size must have
-
-    def holds(self, variant: int, values: list[float]) -> bool:
-        """Return whether a thing of this style and these values is meant."""
-        fits = all(variant % by in some for some, by in self.styles)
-        return fits and all(RELATIONS[relation](values[index], 0.0) for index, relation in self.limits)
+Test = tuple[tuple[tuple[frozenset[int], int], ...], tuple[tuple[int, str], ...]]
+"""When a row is drawn: (remainders, divisor) that the thing's style must have; (value, relation to 0) of its size."""
 
 
 @dataclass(frozen=True)
@@ -77,7 +68,11 @@ class Row:
 
     def holds(self, variant: int, values: list[float]) -> bool:
         """Return whether a thing of this style and these values has the part."""
-        return not self.tests or any(test.holds(variant, values) for test in self.tests)
+        return not self.tests or any(
+            all(variant % by in some for some, by in styles)
+            and all(RELATIONS[relation](values[index], 0.0) for index, relation in limits)
+            for styles, limits in self.tests
+        )
 
     def places(self, values: list[float]) -> list[tuple[int, Place]]:
         """Return where the part is drawn, and at which time of its first repeat."""

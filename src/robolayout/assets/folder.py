@@ -18,7 +18,7 @@ from typing import Any
 import numpy as np
 
 from robolayout._errors import AssetError, UnknownNameError
-from robolayout._reading import LIMITS, MESH_SUFFIXES, Checker, regular_bytes
+from robolayout._reading import LIMITS, MESH_SUFFIXES, Checker, inside, regular_bytes
 from robolayout._reading.syntax import decoded, json_value
 from robolayout.assets.category import Category
 from robolayout.assets.lexicon import find_category
@@ -84,7 +84,7 @@ def import_folder(directory: Path, *, front: str | None = None, up: str | None =
         except AssetError as error:
             skipped.append({"path": shown, "reason": str(error)})
             continue
-        assets[_free(name, assets)] = entry
+        assets[next(free for index in count() if (free := f"{name}-{index}") not in assets)] = entry
     if not assets and not skipped:
         raise AssetError(
             f"asset folder {directory.name!r} holds no mesh; put {', '.join(MESH_SUFFIXES)} files into it."
@@ -117,22 +117,16 @@ def _unsure(name: str, entry: Mapping[str, Any]) -> Iterator[str]:
         yield f"{name} ({entry['path']}): {', '.join(doubts)} may be wrong; look at --pictures, correct it in {CORRECTIONS}."
 
 
-def _mesh_files(directory: Path) -> Iterator[Path]:
-    """Yield mesh files below a folder in the order of their names; links are not followed."""
+def _mesh_files(directory: Path) -> list[Path]:
+    """Return mesh files below a folder in the order of their names; links are not followed."""
     named = (path for path in directory.rglob("*") if path.suffix.lower() in MESH_SUFFIXES)
     found = (path for path in named if os.path.isfile(path) and not path.is_symlink())
-    root = directory.resolve()
-    inside = sorted(p for p in found if p.resolve().is_relative_to(root))
-    if len(inside) > LIMITS.folder_files:
+    files = sorted(path for path in found if inside(path, [directory]))
+    if len(files) > LIMITS.folder_files:
         raise AssetError(
-            f"asset folder {directory.name!r} holds {len(inside)} meshes; at most {LIMITS.folder_files} are read."
+            f"asset folder {directory.name!r} holds {len(files)} meshes; at most {LIMITS.folder_files} are read."
         )
-    yield from inside
-
-
-def _free(name: str, taken: Mapping[str, Any]) -> str:
-    """Return `<name>-<n>` with the first index that is not taken."""
-    return next(free for index in count() if (free := f"{name}-{index}") not in taken)
+    return files
 
 
 def _entry(
@@ -245,10 +239,10 @@ def _said(data: Mapping[str, object], where: str) -> tuple[str, str, dict[str, b
 
 def _words(name: str) -> str:
     """Return the words of a file name, without numbers and hashes."""
+    if re.fullmatch(r"[0-9a-fA-F\-]{12,}", name):
+        return ""
     spaced = re.sub(r"(?<=[a-z])(?=[A-Z])", " ", name)
-    words = [word for word in re.split(r"[^A-Za-z]+", spaced) if len(word) > 1]
-    looks_like_hash = re.fullmatch(r"[0-9a-fA-F\-]{12,}", name) is not None
-    return "" if looks_like_hash else " ".join(words)
+    return " ".join(word for word in re.split(r"[^A-Za-z]+", spaced) if len(word) > 1)
 
 
 def _json(path: Path) -> Mapping[str, Any]:

@@ -38,7 +38,6 @@ class FrontConfig:
 
 FRONTS = FrontConfig()
 
-
 TRAY = "drawer floor"  # name of the part on which lies what is in a drawer
 OPEN = (("drawer", 1.0, 0.0), ("door", 0.0, 0.0))
 """Names of fronts that have an inside, each with the x and y of the axis on which it moves: pulled out, or hung at its side."""

@@ -1,4 +1,4 @@
-"""Reads the rows in which a record says what of a thing moves, and finds the parts that do.
+"""Reads the rows in which a record says what of a thing moves, finds the parts that do, and what they sweep.
 
     door+handle: hinge z away front 90
     drawer+knob: slide x .6d
@@ -17,12 +17,18 @@ from collections import Counter
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import lru_cache
+from itertools import pairwise
 
 import numpy as np
+import shapely
 from numpy.typing import NDArray
+from shapely import Polygon
+from shapely.geometry.base import BaseGeometry
 
 from robolayout._errors import AssetError
+from robolayout.assets.lexicon import category_of
 from robolayout.assets.part import Joint, Part
+from robolayout.scene import Asset
 
 EDGES = {"back": (0, 0), "front": (0, 1), "right": (1, 0), "left": (1, 1), "bottom": (2, 0), "top": (2, 1)}
 """Axis of an edge, and whether it is the low (0) or the high (1) one."""
@@ -105,13 +111,12 @@ def jointed(built: tuple[Part, ...], rules: tuple[Rule, ...], size: tuple[float,
         joint = _joint(rule, [built[i] for i in group], size)
         for i in group:
             out[i] = replace(out[i], joint=joint)
-    number: Counter[str] = Counter()
-    names: dict[int, Joint] = {}
-    for part in out:
-        if part.joint is not None and id(part.joint) not in names:
-            names[id(part.joint)] = replace(part.joint, name=f"{part.joint.name} {number[part.joint.name]}")
-            number[part.joint.name] += 1
-    return tuple(part if part.joint is None else replace(part, joint=names[id(part.joint)]) for part in out)
+    number, names = Counter[str](), dict[int, Joint]()
+    for joint in (part.joint for part in out):
+        if joint is not None and id(joint) not in names:
+            names[id(joint)] = replace(joint, name=f"{joint.name} {number[joint.name]}")
+            number[joint.name] += 1
+    return tuple(replace(part, joint=names.get(id(part.joint))) for part in out)
 
 
 def _groups(built: Sequence[Part], rules: Sequence[Rule]) -> Iterator[tuple[Rule, list[int]]]:
@@ -121,7 +126,12 @@ def _groups(built: Sequence[Part], rules: Sequence[Rule]) -> Iterator[tuple[Rule
     for i, part in enumerate(built):
         if i in taken:
             continue
-        near = [(_apart(part, built[g[0]]), n) for n, (rule, g) in enumerate(leaders) if part.name in rule.names]
+        near: list[tuple[float, int]] = []  # metres from the part's middle to the box of a leader
+        for n, (rule, group) in enumerate(leaders):
+            if part.name in rule.names:
+                middle, (low, high) = part.ends.mean(axis=0), built[group[0]].ends
+                apart = np.linalg.norm(np.maximum(low - middle, 0.0) + np.maximum(middle - high, 0.0))
+                near.append((float(apart), n))
         if near and min(near)[0] < JOINTS.near:
             leaders[min(near)[1]][1].append(i)
     yield from leaders
@@ -129,12 +139,6 @@ def _groups(built: Sequence[Part], rules: Sequence[Rule]) -> Iterator[tuple[Rule
         found = [i for i, part in enumerate(built) if part.name in rule.names]
         if rule.together and found:
             yield rule, found
-
-
-def _apart(part: Part, leader: Part) -> float:
-    """Return the metres from a part's middle to a leader's box."""
-    middle, (low, high) = part.ends.mean(axis=0), leader.ends
-    return float(np.linalg.norm(np.maximum(low - middle, 0.0) + np.maximum(middle - high, 0.0)))
 
 
 def _joint(rule: Rule, group: Sequence[Part], size: tuple[float, float, float]) -> Joint:
@@ -181,3 +185,55 @@ def turned(joint: Joint, points: Vector, far: float) -> Vector:
     c, s = math.cos(far), math.sin(far)
     r = points - joint.at
     return c * r + s * np.cross(axis, r) + (1 - c) * (r @ axis)[:, None] * axis + joint.at
+
+
+@dataclass(frozen=True, eq=False)
+class Sweep:
+    """What one joint needs, or what a record says that a thing needs where nothing of it moves."""
+
+    # what is swept beyond the thing's front, in its frame (origin in the middle of its box, front along +x); metres
+    region: BaseGeometry
+    heights: tuple[float, float]  # between which heights, from the middle of its box; metres
+    joint: Joint | None = None  # the joint; None where the room is that of a person at work
+    # where the open leaf stands beyond the front; empty for drawers, which are pushed back to
+    leaf: BaseGeometry = Polygon()  # noqa: RUF009 - polygons do not change
+
+
+@lru_cache(maxsize=2048)
+def sweeps_of(asset: Asset) -> tuple[Sweep, ...]:
+    """Return what must be free before a thing that is to be opened or used from the front; nothing of others."""
+    from robolayout.assets.meshes import parts
+
+    deep = category_of(asset).open_depth
+    if deep <= 0:
+        return ()
+    try:
+        made = parts(asset)
+    except AssetError:
+        made = ()
+    joints = dict.fromkeys(part.joint for part in made if part.joint is not None and part.joint.span[0] >= 0)
+    found = [_sweep(joint, [part for part in made if part.joint == joint], asset) for joint in joints]
+    slight = asset.size[0] / 2 + JOINTS.slight
+    ahead = [sweep for sweep in found if not sweep.region.is_empty and sweep.region.bounds[2] > slight]
+    depth, width, height = asset.size
+    strip = shapely.box(depth / 2, -width / 2, depth / 2 + deep, width / 2)
+    return tuple(ahead) or (Sweep(strip, (-height / 2, height / 2)),)
+
+
+def _sweep(joint: Joint, moving: list[Part], asset: Asset) -> Sweep:
+    """Return what some parts sweep beyond the front of their thing."""
+    far = np.linspace(0.0, joint.span[1], JOINTS.steps + 1 if joint.kind == "hinge" else 2)
+    places = [[turned(joint, part.vertices, step) for step in far.tolist()] for part in moving]
+    hulls = [
+        shapely.MultiPoint(np.concatenate(pair)[:, :2]).convex_hull for steps in places for pair in pairwise(steps)
+    ]
+    leaf = shapely.union_all([shapely.MultiPoint(steps[-1][:, :2]).convex_hull for steps in places])
+    heights = np.concatenate([points[:, 2] for steps in places for points in steps])
+    reach = 2 * sum(asset.size)
+    front = shapely.box(asset.size[0] / 2, -reach, reach, reach)
+    return Sweep(
+        shapely.union_all(hulls).intersection(front),
+        (heights.min().item(), heights.max().item()),
+        joint,
+        leaf.intersection(front) if joint.kind == "hinge" else Polygon(),
+    )

@@ -86,7 +86,7 @@ def _from_words(text: str, size: Size | None, place: str | None, own: tuple[Cate
     catalogue = {**CATALOGUE, **{category.name: category for category in own}}
     matches = sorted(_matches(_segments(text), _index_of(own)))
     found = [_choose([catalogue[name] for name in names], size, place) for *_, names in matches]
-    fitting = [category for category in found if size is None or _mismatch(category, size) < ODD_SIZE]
+    fitting = [kind for kind in found if not size or abs(math.log(max(kind.size) / max(size))) < ODD_SIZE]
     return next(iter(fitting or found), None)
 
 
@@ -135,31 +135,21 @@ def _choose(candidates: list[Category], size: Size | None, place: str | None) ->
         candidates = [c for c in candidates if place in c.places] or candidates
     if size is None:
         return candidates[0]
-    return min(candidates, key=lambda c: _distance(c, size))
+    d, w, h = size
 
+    def apart(category: Category) -> float:
+        a, b, c = category.size  # a sum of log ratios; depth and width may swap
+        flat = min(abs(math.log(a / d)) + abs(math.log(b / w)), abs(math.log(b / d)) + abs(math.log(a / w)))
+        return flat + abs(math.log(c / h))
 
-def _distance(category: Category, size: Size) -> float:
-    """Return how far the size is from the category's, as a sum of log ratios; depth and width may swap."""
-    (a, b, c), (d, w, h) = category.size, size
-    flat = min(abs(math.log(a / d)) + abs(math.log(b / w)), abs(math.log(b / d)) + abs(math.log(a / w)))
-    return flat + abs(math.log(c / h))
-
-
-def _mismatch(category: Category, size: Size) -> float:
-    """Return the log ratio of the longest edges."""
-    return abs(math.log(max(category.size) / max(size)))
+    return min(candidates, key=apart)
 
 
 def _from_size(size: Size | None, place: str | None) -> Category:
     """Return the category of a thing that no word explains, from where it goes and how large it is."""
     fixed = {"wall": "unknown wall decor", "ceiling": "unknown ceiling item"}
-    if place in fixed:
-        return CATALOGUE[fixed[place]]
-    return CATALOGUE["unknown furniture" if size is None else _shape_name(size)]
-
-
-def _shape_name(size: Size) -> str:
-    """Name the unknown category of a floor or table-top thing by its shape."""
+    if place in fixed or size is None:
+        return CATALOGUE[fixed.get(place or "", "unknown furniture")]
     depth, width, height = size
     across, tallest = max(depth, width), max(size)
     rules = (
@@ -170,12 +160,12 @@ def _shape_name(size: Size) -> str:
         (0.35 <= height <= 1.15 and across >= 0.9, "unknown surface"),
         (0.4 <= across <= 0.9 and 0.4 <= height <= 1.2, "unknown seat"),
     )
-    return next((name for holds, name in rules if holds), "unknown furniture")
+    return CATALOGUE[next((name for holds, name in rules if holds), "unknown furniture")]
 
 
 def singular(phrase: str) -> str:
     """Return a phrase with each plural word made singular, by spelling alone."""
-    return " ".join(_singular(word) for word in phrase.split())
+    return " ".join(map(_singular, phrase.split()))
 
 
 def _singular(word: str) -> str:
@@ -198,8 +188,7 @@ def normalise(phrase: str) -> str:
 @lru_cache(maxsize=16)
 def _index_of(own: tuple[Category, ...]) -> dict[str, tuple[str, ...]]:
     """Build the phrase table of a user's own categories."""
-    known = [(word, (category.name,)) for category in own for word in (category.name, *category.synonyms)]
-    return _index(known)
+    return _index([(word, (category.name,)) for category in own for word in (category.name, *category.synonyms)])
 
 
 @cache

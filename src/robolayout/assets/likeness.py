@@ -12,19 +12,16 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from itertools import product
-from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.spatial import KDTree
 
 from robolayout.assets.category import Category
 from robolayout.assets.meshes import builder_for
 from robolayout.assets.own import AXES
 from robolayout.assets.palette import make_piece
 from robolayout.assets.part import fit
-
-if TYPE_CHECKING:
-    from scipy.spatial import KDTree
 
 Array = NDArray[np.float64]
 Faces = Iterable[tuple[Array, NDArray[np.integer]]]
@@ -79,8 +76,6 @@ def stands(
 
 def _misfit(points: Array, way: tuple[str, str], category: Category, standard: tuple[str, str] | None) -> float:
     """Return how unlike a mesh that stands in one way is to its category."""
-    from scipy.spatial import KDTree
-
     up, front = (np.array(AXES[name]) for name in way)
     turned = points @ np.array([front, np.cross(up, front), up]).T
     edges = np.maximum(np.ptp(turned, axis=0), 1e-9)
@@ -104,8 +99,6 @@ def _unit(points: Array) -> Array:
 @lru_cache(maxsize=32)
 def _models(category: Category) -> tuple[tuple[Array, KDTree], ...]:
     """Return points on variants of a category's own thing, and a tree to find the nearest of them."""
-    from scipy.spatial import KDTree
-
     found: list[tuple[Array, KDTree]] = []
     for seed in SEEDS:
         piece = make_piece(category.name, category.name, category.name, category.size, seed)

@@ -46,12 +46,15 @@ def part_masses(made: tuple[Part, ...]) -> tuple[NDArray[np.float64], NDArray[np
     low, reach = z.min(), np.ptp(z)
     data, weights, middles = read_data("bulk.toml"), np.empty(len(made)), np.empty((len(made), 3))
     for i, part in enumerate(made):
-        density, wall = _bulk(part)
+        own, of = part.name, part.material.name
+        rows = (row for row in data["bulk"] if own in row.get("parts", ()) or any(word in of for word in row["of"]))
+        row = next(rows, data["usual"])  # kg/m3, and metres of wall
         foot = part.vertices[:, 2].max() - low <= min(LOW[0] * reach, LOW[1])
-        weighted = any(word in part.name for word in data["feet"] if foot) or part.name in data["solid"]
+        weighted = any(word in own for word in data["feet"] if foot) or own in data["solid"]
         volume, surface, inner, outer = _measured(part)
-        hollow = surface * wall < volume and not weighted
-        weights[i] = max(density * (surface * wall if hollow else volume), 1e-9)
+        shell = surface * row["wall"]
+        hollow = shell < volume and not weighted
+        weights[i] = max(row["density"] * (shell if hollow else volume), 1e-9)
         middles[i] = outer if hollow else inner
     return weights, middles
 
@@ -68,11 +71,3 @@ def _measured(part: Part) -> tuple[float, float, NDArray[np.float64], NDArray[np
     outer = middle + areas @ (a + b + c) / (3 * max(areas.sum(), 1e-12))
     inner = middle + sixth @ (a + b + c) / (4 * sixth.sum()) if volume > 1e-12 else outer
     return volume, float(areas.sum()), inner, outer
-
-
-def _bulk(part: Part) -> tuple[float, float]:
-    """Return density in kg/m3 and wall thickness in metres of what a part is made of."""
-    data, name = read_data("bulk.toml"), part.material.name
-    rows = (row for row in data["bulk"] if part.name in row.get("parts", ()) or any(word in name for word in row["of"]))
-    row = next(rows, data["usual"])
-    return float(row["density"]), float(row["wall"])

@@ -10,19 +10,16 @@ from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from functools import lru_cache
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
 from robolayout._errors import AssetError
 from robolayout._reading import LIMITS, MESH_SUFFIXES, Checker, regular_bytes
+from robolayout._reading.mesh import Look, mesh_pieces
 from robolayout.assets.part import Material, Part, fit
 from robolayout.assets.rows import check_rows
 from robolayout.scene import Scene
-
-if TYPE_CHECKING:
-    from robolayout._reading.mesh import Look
 
 Array = NDArray[np.float64]
 Size = tuple[float, float, float]
@@ -79,8 +76,6 @@ def extent(pieces: Iterable[Part]) -> Size:
 
 def read_pieces(path: Path) -> tuple[Part, ...]:
     """Read a mesh file into its pieces, in the file's axes and units."""
-    from robolayout._reading.mesh import mesh_pieces
-
     suffix = path.suffix.lower()
     if suffix not in MESH_SUFFIXES:
         raise AssetError(f"mesh {path.name}: format {suffix!r} is not read; use one of {', '.join(MESH_SUFFIXES)}.")
@@ -162,17 +157,13 @@ def _clustered(piece: Part, most: int) -> Part:
     while True:
         grid = np.floor((piece.vertices - low) / edge * cells).astype(np.int64) @ (1 << 42, 1 << 21, 1)
         _, first, index, counts = np.unique(grid, return_index=True, return_inverse=True, return_counts=True)
-        faces = _distinct(index[piece.faces])
+        faces = index[piece.faces]
+        ordered = np.sort(faces, axis=1)
+        alive = (np.diff(ordered, axis=1) > 0).all(axis=1)  # what is collapsed or stands twice is dropped
+        _, once = np.unique(ordered[alive], axis=0, return_index=True)
+        faces = faces[alive][np.sort(once)].astype(np.int32)
         if len(faces) <= most:
             break
         cells *= min(0.9, 0.97 * float(np.sqrt(most / len(faces))))
     points = np.stack([np.bincount(index, weights=row) / counts for row in piece.vertices.T], axis=1)
     return replace(piece, vertices=points, faces=faces, uv=None if piece.uv is None else piece.uv[first])
-
-
-def _distinct(faces: NDArray[np.int64]) -> NDArray[np.int32]:
-    """Drop collapsed triangles and repeated ones."""
-    ordered = np.sort(faces, axis=1)
-    alive = (np.diff(ordered, axis=1) > 0).all(axis=1)
-    _, first = np.unique(ordered[alive], axis=0, return_index=True)
-    return faces[alive][np.sort(first)].astype(np.int32)

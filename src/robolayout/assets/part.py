@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
-from itertools import accumulate, pairwise
 
 import numpy as np
 from numpy.typing import NDArray
@@ -66,7 +65,5 @@ def fit(pieces: Iterable[Part], size: tuple[float, float, float]) -> tuple[Part,
     half = np.array(size) / 2
     scale = np.array(size) / np.maximum(high - low, 1e-12)
     fitted = np.clip((points - (low + high) / 2) * scale, -half, half)
-    ends = [*accumulate((len(part.vertices) for part in built), initial=0)]
-    return tuple(
-        replace(part, vertices=fitted[start:end]) for part, (start, end) in zip(built, pairwise(ends), strict=True)
-    )
+    own = np.split(fitted, np.cumsum([len(part.vertices) for part in built])[:-1])
+    return tuple(replace(part, vertices=vertices) for part, vertices in zip(built, own, strict=True))

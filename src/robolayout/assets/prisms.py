@@ -41,7 +41,6 @@ class PrismConfig:
 
 PRISMS = PrismConfig()
 
-
 Array = NDArray[np.float64]
 Spans = NDArray[np.float64]
 """(n, 10): least and greatest x, y, z, x + y and x - y of the points of a piece; metres, z from the bottom of the thing."""
@@ -86,8 +85,9 @@ def prisms_of(asset: Asset) -> tuple[Prism, ...]:
     except AssetError:
         return box
     merged = _merged(spans, PRISMS.spare * depth * width * height)
-    found = sorted((_prism(span) for span in merged.tolist()), key=lambda p: (p.low, p.high, p.x, p.y, p.hx, p.hy))
-    return tuple(found) or box
+    rows = zip(merged.tolist(), *(half.tolist() for half in _halves(merged)), strict=True)
+    found = (Prism((s[0] + s[1]) / 2, (s[2] + s[3]) / 2, hx, hy, cut, s[4], s[5]) for s, hx, hy, cut in rows)
+    return tuple(sorted(found, key=lambda p: (p.low, p.high, p.x, p.y, p.hx, p.hy))) or box
 
 
 @lru_cache(maxsize=256)
@@ -179,11 +179,6 @@ def _merged(spans: Spans, spare: float) -> Spans:
         waste[j, :] = waste[:, j] = np.inf
         update(i)
     return spans[alive]
-
-
-def _prism(span: list[float]) -> Prism:
-    hx, hy, cut = (float(value) for value in _halves(np.array(span)))
-    return Prism((span[0] + span[1]) / 2, (span[2] + span[3]) / 2, hx, hy, cut, span[4], span[5])
 
 
 def _slices(part: Part) -> Iterator[Array]:

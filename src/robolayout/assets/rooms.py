@@ -167,9 +167,8 @@ def _walls(room: Room, look: RoomStyle) -> Iterator[Part]:
 def _offset_corners(room: Room, outwards: float) -> list[Point]:
     """Return where the walls' faces meet at each vertex when all move outwards by some metres; sharp ones are cut short."""
     corners: list[Point] = []
-    walls = room.walls
-    for i, wall in enumerate(walls):
-        (ax, ay), (bx, by) = walls[i - 1].normal, wall.normal
+    for i, wall in enumerate(room.walls):
+        (ax, ay), (bx, by) = room.walls[i - 1].normal, wall.normal
         sx, sy = ax + bx, ay + by
         length = math.hypot(sx, sy)
         if length < SHELL.shortest:
@@ -182,11 +181,8 @@ def _offset_corners(room: Room, outwards: float) -> list[Point]:
 
 def _blocks(length: float, height: float, openings: Sequence[Opening]) -> Iterator[tuple[float, float, float, float]]:
     """Yield (near, far, low, high) of the solid blocks of a wall around its openings."""
-    cuts = {0.0, length}
-    for opening in openings:
-        cuts |= {min(max(x, 0.0), length) for x in (opening.offset, opening.offset + opening.width)}
-    marks = sorted(cuts)
-    for near, far in pairwise(marks):
+    ends = (end for opening in openings for end in (opening.offset, opening.offset + opening.width))
+    for near, far in pairwise(sorted({0.0, length, *(min(max(end, 0.0), length) for end in ends)})):
         if far - near < SHELL.shortest:
             continue
         middle, level = (near + far) / 2, 0.0

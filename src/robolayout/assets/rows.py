@@ -15,6 +15,7 @@ import ast
 import re
 from collections.abc import Callable, Iterable, Mapping
 from functools import lru_cache
+from itertools import pairwise
 from typing import NoReturn
 
 import numpy as np
@@ -125,13 +126,15 @@ class _Reading:
         materials = tuple(tuple(one for name in style for one in GROUPS.get(name, (name,))) for style in styles)
         self._among("shape", [shape], FIELDS)
         self._among("material", [name for style in materials for name in style], MATERIALS)
-        body, *tails = _split(words[2:])
+        starts = [i for i, word in enumerate(words) if word in ("mirror", "repeat", "vary", "if") and i > 1]
+        body, *tails = (words[start:end] for start, end in pairwise([2, *starts, len(words)]))
         fields = self._fields(shape, body)
-        repeats, mirror, vary = [], "", dict[str, slice]()
-        tests: list[Test] = []
+        repeats, tests, mirror, vary = list[Repeat](), list[Test](), "", dict[str, slice]()
         for word, *rest_of in tails:
             if word == "repeat" and rest_of:
-                repeats.append(self._repeat(rest_of[0], rest_of[1:]))
+                said = self._pairs(rest_of[1:], (*LENGTHS, *LEANS, "r", "bevel", "turn", "only"))
+                only, count = self._remainders(said.pop("only", "0/1")), self._add(self._sum(rest_of[0])).start
+                repeats.append(Repeat(count, self._steps(said), only))
             elif word == "vary" and rest_of:
                 vary = self._steps(self._pairs(rest_of, VARIED))
             elif word == "mirror" and rest_of in (["x"], ["y"], ["xy"]):
@@ -180,12 +183,6 @@ class _Reading:
         if key in LEANS or key == "bevel":
             return self._ends(text, self._length)
         return [self._sum(item) for item in text.split(",")]
-
-    def _repeat(self, count: str, words: list[str]) -> Repeat:
-        """Read how often a row is drawn, what is added to each field, and which times count."""
-        said = self._pairs(words, (*LENGTHS, *LEANS, "r", "bevel", "turn", "only"))
-        only = self._remainders(said.pop("only", "0/1"))
-        return Repeat(self._add(self._sum(count)).start, self._steps(said), only)
 
     def _steps(self, said: Mapping[str, str]) -> dict[str, slice]:
         """Read what is added to fields."""
@@ -243,19 +240,9 @@ class _Reading:
                 limits.append((self._add([a - b for a, b in zip(low, high, strict=True)]).start, relation))
             else:
                 self.refuse(f"{clause!r} cannot be read", "write w>1.2m or style=0,2/4")
-        return Test(tuple(styles), tuple(limits))
+        return tuple(styles), tuple(limits)
 
     def _add(self, *values: Value) -> slice:
         start = len(self.values)
         self.values += values
         return slice(start, len(self.values))
-
-
-def _split(words: list[str]) -> list[list[str]]:
-    """Split a row's words before each modifier."""
-    out: list[list[str]] = [[]]
-    for word in words:
-        if word in ("mirror", "repeat", "vary", "if"):
-            out.append([])
-        out[-1].append(word)
-    return out

@@ -43,12 +43,9 @@ def soft(name: str, material: Material, x: Range, y: Range, z: Range, *, bevel: 
     """Return a box with bevelled edges: a cushion, a mattress, a casing."""
     low, high = _corners(x, y, z)
     cut = np.minimum(bevel, 0.45 * (high - low))
-    points: list[list[float]] = []
-    for signs in product((0, 1), repeat=3):
-        corner = [high[i] if s else low[i] for i, s in enumerate(signs)]
-        inner = [corner[i] - cut[i] if s else corner[i] + cut[i] for i, s in enumerate(signs)]
-        points += [[corner[i] if i == axis else inner[i] for i in range(3)] for axis in range(3)]
-    return Part(name, np.array(points), _soft_faces(), material)
+    far = np.repeat(np.array(list(product((False, True), repeat=3))), 3, axis=0)
+    corner, inner = np.where(far, high, low), np.where(far, high - cut, low + cut)
+    return Part(name, np.where(np.tile(np.eye(3), (8, 1)) > 0, corner, inner), _soft_faces(), material)
 
 
 def prism(name: str, material: Material, outline: Sequence[Range], span: Range, *, axis: str = "z") -> Part:

@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
-from itertools import pairwise, product
+from itertools import count, pairwise, product
 from typing import Any
 
 import numpy as np
@@ -49,7 +49,6 @@ class SurfaceConfig:
 
 
 SURFACES = SurfaceConfig()
-
 
 PLAN = [0, 2, 1, 3]  # columns of a span that are its rectangle in plan: least x and y, greatest x and y
 SOFT = ("seat", "cushion", "mattress", "duvet", "quilt", "blanket", "bed")
@@ -180,7 +179,7 @@ def _hooks(made: tuple[Part, ...], level: float) -> Iterator[Surface]:
     """Yield the hooks of a thing: slim bars that stick out of something."""
     bars = [part for part in made if part.name in HOOKS]
     boxes = [(low, high) for part in made if part.name not in HOOKS for low, high in [part.ends]]
-    number = 0
+    number = count(1)
     for bar in bars:
         low, high = bar.ends
         middle = (low + high) / 2
@@ -188,21 +187,18 @@ def _hooks(made: tuple[Part, ...], level: float) -> Iterator[Surface]:
         ways = [way[:2] / np.linalg.norm(way[:2]) for way in middle - near if np.linalg.norm(way[:2]) > SURFACES.ease]
         sides = sorted((high - low)[:2])
         if ways and sides[0] <= SURFACES.slim <= sides[1]:
-            number += 1
             u, v = ways[0].tolist()
-            yield Surface(f"hook {number}", shapely.box(*low[:2], *high[:2]), float(high[2]) + level, np.inf, (u, v))
+            yield Surface(
+                f"hook {next(number)}", shapely.box(*low[:2], *high[:2]), float(high[2]) + level, np.inf, (u, v)
+            )
 
 
 def _levels(tops: list[tuple[float, Any, str]]) -> Iterator[list[tuple[float, Any, str]]]:
     """Yield tops of one height together; those that hold nothing by themselves may do so together."""
-    group: list[tuple[float, Any, str]] = []
-    for top in tops:
-        if group and top[0] - group[0][0] > SURFACES.level:
-            yield group
-            group = []
-        group.append(top)
-    if group:
-        yield group
+    while tops:
+        end = sum(top[0] - tops[0][0] <= SURFACES.level for top in tops)
+        yield tops[:end]
+        tops = tops[end:]
 
 
 def _pieces(group: list[tuple[float, Any, str]], spans: NDArray[np.float64]) -> Iterator[tuple[Surface, str]]:
@@ -254,24 +250,16 @@ def _worth(region: Any) -> Iterator[Polygon]:
 
 
 def _named(found: Iterable[tuple[Surface, str]]) -> Iterator[Surface]:
-    """Yield surfaces with names: shelves and steps are counted from below."""
+    """Yield surfaces with names, by the part that gives most of each: shelves and steps are counted from below."""
     ordered = sorted(found, key=lambda item: (item[0].height, item[0].region.centroid.coords[0]))
-    highest = max((s.height for s, _ in ordered if not s.covered), default=0.0)
-    words = [_word(surface, part, highest) for surface, part in ordered]
+    highest, words = max((s.height for s, _ in ordered if not s.covered), default=0.0), list[str]()
+    for surface, part in ordered:
+        is_soft = "back" not in part and any(soft in part for soft in SOFT)
+        word = "seat" if is_soft else "top" if surface.height == highest else "step"
+        words.append("drawer" if part == TRAY else "shelf" if surface.covered else word)
     for i, (surface, _) in enumerate(ordered):
         alone = words.count(words[i]) == 1 and words[i] not in COUNTED
         yield replace(surface, name=words[i] if alone else f"{words[i]} {words[: i + 1].count(words[i])}")
-
-
-def _word(surface: Surface, part: str, highest: float) -> str:
-    """Return what a surface is called, by the part that gives most of it."""
-    if part == TRAY:
-        return "drawer"
-    if surface.covered:
-        return "shelf"
-    if "back" not in part and any(soft in part for soft in SOFT):
-        return "seat"
-    return "top" if surface.height == highest else "step"
 
 
 def _largest_rectangle(region: Polygon) -> tuple[float, float, float, float]:
@@ -290,6 +278,6 @@ def _thinned(values: NDArray[np.float64]) -> list[float]:
     """Return coordinates in order: some of the corners', and some evenly between their ends."""
     distinct = np.unique(np.round(values, 6))
     kept = np.linspace(0, len(distinct) - 1, min(len(distinct), SURFACES.corners)).round().astype(int)
-    count = SURFACES.evenly if len(distinct) > SURFACES.square else 0
-    between = np.linspace(distinct[0], distinct[-1], count)
+    steps = SURFACES.evenly if len(distinct) > SURFACES.square else 0
+    between = np.linspace(distinct[0], distinct[-1], steps)
     return np.unique(np.concatenate([distinct[kept], between])).tolist()
