@@ -86,7 +86,7 @@ def test_an_unforeseen_error_is_one_sentence_and_a_file(
     (note,) = notes.iterdir()
     text = note.read_text(encoding="utf-8")
     assert f"send {note}, which holds no names, keys or contents." in ran.err
-    assert "command: agents" in text and "robolayout/cli/bodies.py:" in text and "numpy" in text
+    assert "command: agents" in text and "robolayout/cli/lists.py:" in text and "numpy" in text
     assert "sk-" not in text and "bed-0" not in text and str(Path.home()) not in text
     assert len(text.splitlines()) < 40 + 2 * 2 * TOLD.ends
 

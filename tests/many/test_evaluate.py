@@ -155,7 +155,7 @@ def test_what_is_written(crowds: tuple[Path, dict[str, rl.Result]], tmp_path: Pa
 
 
 def test_names_of_rooms_run_nothing_in_the_page() -> None:
-    from robolayout.many.page import page
+    from robolayout.many.index import page
 
     text = page("<b>", [{"room": "</script><script>alert(1)</script>", "ok": True}])
     assert "alert(1)</script>" not in text and "<b>" not in text and "default-src 'none'" in text

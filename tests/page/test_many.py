@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 
-from robolayout.many.page import page
+from robolayout.many.index import page
 
 HOSTILE = "<img src=x onerror=alert(1)>"
 ROWS = [

@@ -14,8 +14,7 @@ from robolayout._errors import SceneError
 from robolayout.assets import CATALOGUE, surfaces_of
 from robolayout.assets.category import DATA
 from robolayout.export import settle
-from robolayout.run.dressing import dressed
-from robolayout.run.flow import generate
+from robolayout.run.flow import dressed, generate
 from robolayout.run.result import judge
 from robolayout.scene import DRESSINGS, Asset, Layout, Opening, Pose, Room, Scene, scene_from_dict, scene_to_dict
 from robolayout.solve import dress

@@ -15,31 +15,11 @@ from typer.core import TyperGroup
 from robolayout._errors import InputError
 from robolayout._files import check_writable, write_atomic
 from robolayout._version import __version__
-from robolayout.cli.assets import assets
-from robolayout.cli.bodies import agents
+from robolayout.cli import options
 from robolayout.cli.generate import generate
 from robolayout.cli.guard import Unforeseen, main
+from robolayout.cli.lists import agents, assets, constraints
 from robolayout.cli.many import batch, evaluate
-from robolayout.cli.options import (
-    AssetDirOption,
-    BaseUrlOption,
-    Body,
-    DateOption,
-    DoorsOption,
-    KnowledgeOption,
-    Laid,
-    MaxCostOption,
-    ProgramOption,
-    QuietOption,
-    ReplayOption,
-    SceneArgument,
-    SeedOption,
-    Told,
-    ending,
-    names,
-    one_of,
-    spread,
-)
 from robolayout.cli.physics import drive, settle, standing
 from robolayout.cli.pictures import render
 from robolayout.cli.terminal import progress, say, show, table
@@ -97,22 +77,22 @@ def _page(
     """Lay out a 3D room for a body, and prove that it can move through and use it."""
 
 
-@spread
+@options.spread
 def check(  # noqa: PLR0913 - one parameter per option
-    laid: Laid,
-    program: ProgramOption = None,
+    laid: options.Laid,
+    program: options.ProgramOption = None,
     out: Annotated[Path | None, Option(help="Also write report, page, plan, pictures and GLB to this folder.")] = None,
     pictures: Annotated[bool, Option(help="Draw page, plan and views.")] = True,
-    date: DateOption = "",
+    date: options.DateOption = "",
     judge: Annotated[
         str | None, Option(help="Also let a model score the room: openai:gpt-4o, ... (docs/vlm.md).")
     ] = None,
     votes: Annotated[int, Option(min=1, max=32, help="How often it scores the room.")] = 3,
-    base_url: BaseUrlOption = None,
-    max_cost: MaxCostOption = None,
-    replay: ReplayOption = None,
+    base_url: options.BaseUrlOption = None,
+    max_cost: options.MaxCostOption = None,
+    replay: options.ReplayOption = None,
     *,
-    told: Told,
+    told: options.Told,
 ) -> None:
     """Verify a layout, whoever made it."""
     from robolayout.run import result
@@ -140,14 +120,14 @@ def check(  # noqa: PLR0913 - one parameter per option
 Side = Annotated[Path, Argument(help="A run's folder, or a layout file (with --scene).")]
 
 
-@spread
+@options.spread
 def diff(  # noqa: PLR0913 - one parameter per option
     before: Side,
     after: Side,
-    body: Body,
-    told: Told,
+    body: options.Body,
+    told: options.Told,
     scene: Annotated[str | None, Option(help="The scene of both layouts; else each folder's own.")] = None,
-    program: ProgramOption = None,
+    program: options.ProgramOption = None,
     out: Annotated[Path | None, Option(help="Draw before and after: PNG or SVG.")] = None,
     width: Annotated[int, Option(min=256, max=8192, help="Pixels of the PNG's width.")] = 1400,
 ) -> None:
@@ -156,7 +136,7 @@ def diff(  # noqa: PLR0913 - one parameter per option
     from robolayout.run.outputs import difference_picture
     from robolayout.run.result import load_judged
 
-    suffix = "" if out is None else ending(out, "a difference", (".png", ".svg"))
+    suffix = "" if out is None else options.ending(out, "a difference", (".png", ".svg"))
     given = None if scene is None else body.read(scene)
     found = differences(*(load_judged(side, given, body.read, program) for side in (before, after)))
     if out is not None:
@@ -166,36 +146,32 @@ def diff(  # noqa: PLR0913 - one parameter per option
         if found.changes:
             rows = [[change.verdict, change.name, change.text] for change in found.changes]
             table(f"{before} -> {after}", ["", "what", "difference"], rows)
-        say(_summary(len(found.changes), len(found.worse)), *([] if out is None else [str(out)]))
+        count, outcome = len(found.changes), "Nothing differs."
+        if count:
+            outcome = f"{count} {'difference' if count == 1 else 'differences'}, {len(found.worse)} for the worse."
+        say(outcome, *([] if out is None else [str(out)]))
 
     told.tell(found.to_dict(), show)
     raise typer.Exit(1 if found.worse else 0)
 
 
-def _summary(changes: int, worse: int) -> str:
-    """Return the outcome in one sentence."""
-    if not changes:
-        return "Nothing differs."
-    return f"{changes} {'difference' if changes == 1 else 'differences'}, {worse} for the worse."
-
-
 def compare(  # noqa: PLR0913 - one parameter per option
-    scene: SceneArgument,
+    scene: options.SceneArgument,
     agents: Annotated[str, Option(help="Two to six bodies: names or files, separated by commas.")],
     out: Annotated[Path, Option(help="Picture file, PNG or SVG.")] = Path("compare.png"),
-    seed: SeedOption = 0,
+    seed: options.SeedOption = 0,
     width: Annotated[int, Option(min=256, max=8192, help="Pixels of the PNG's width.")] = 1800,
-    asset_dir: AssetDirOption = None,
-    knowledge: KnowledgeOption = None,
-    quiet: QuietOption = False,
+    asset_dir: options.AssetDirOption = None,
+    knowledge: options.KnowledgeOption = None,
+    quiet: options.QuietOption = False,
 ) -> None:
     """Lay out one room for several bodies, side by side in one picture."""
     from robolayout.planners import OfflinePlanner
     from robolayout.run import flow
     from robolayout.run.outputs import comparison
 
-    suffix = ending(out, "a comparison", (".png", ".svg"))
-    given = Body(agent=agents, asset_dir=asset_dir).read(scene, quiet=quiet)
+    suffix = options.ending(out, "a comparison", (".png", ".svg"))
+    given = options.Body(agent=agents, asset_dir=asset_dir).read(scene, quiet=quiet)
     with progress(quiet) as tell:
         planner = OfflinePlanner(knowledge or ())
         results = flow.compare(given, given.agents, planner=planner, seed=seed, progress=tell)
@@ -208,14 +184,14 @@ def compare(  # noqa: PLR0913 - one parameter per option
     raise typer.Exit(0 if all(result.report.ok for result in results) else 1)
 
 
-@spread
+@options.spread
 def export(
-    laid: Laid,
+    laid: options.Laid,
     to: Annotated[str, Option(help="Formats, separated by commas: glb, usd, mjcf, dxf, pdf, ...")] = "glb",
     out: Annotated[Path, Option(help="Folder to write to.")] = Path(),
     partial: Annotated[bool, Option("--partial", help="Leave assets without a pose out.")] = False,
     body: Annotated[str, Option(help="In MJCF: none, base (what drives), or full (a robot's model).")] = "base",
-    doors: DoorsOption = "swinging",
+    doors: options.DoorsOption = "swinging",
 ) -> None:
     """Write a layout for simulators and viewers."""
     from robolayout.export import export_all, exporters, find_exporter
@@ -224,36 +200,28 @@ def export(
     from robolayout.verify import verify
 
     given, placed = laid.read_both()
-    formats = names(to)
+    formats = options.names(to)
     if not formats:
         raise InputError(f"--to names no format. Known: {', '.join(sorted(exporters()))}.")
     for name in formats:
         find_exporter(name)
     check_writable(out)
-    one_of("body to export", body, BODIES)
-    options = replace(export_options(verify(given, placed)), leaves=standing(doors))
-    options = replace(options, agent=None if body == "none" else options.agent, whole=body == "full")
+    options.one_of("body to export", body, BODIES)
+    chosen = replace(export_options(verify(given, placed)), leaves=standing(doors))
+    chosen = replace(chosen, agent=None if body == "none" else chosen.agent, whole=body == "full")
     plain = [name for name in formats if find_exporter(name).fit is None]
-    for path in export_all(given, placed, plain, folder=out, options=options, partial=partial):
+    for path in export_all(given, placed, plain, folder=out, options=chosen, partial=partial):
         say(str(path))
     for name in formats:
         if (fit := find_exporter(name).fit) is not None:
             room, there = fit(given, placed)
             found = solve_again(room, start=there)
             left = tuple(sorted(set(placed) - set(found.layout)))
-            inside = replace(options, left_out=left)
+            inside = replace(chosen, left_out=left)
             say(*map(str, export_all(found.scene, found.layout, [name], folder=out, options=inside, partial=partial)))
             verdict = "ok" if found.report.ok else " ".join(["not ok:", *found.report.violations])
             say(f"solved again with the sizes of {name}'s things: {verdict}")
             say(f"left out, for want of a counterpart: {', '.join(left) or 'nothing'}")
-
-
-def constraints() -> None:
-    """List the relations that a constraint program can state."""
-    from robolayout.constraints import RELATIONS
-
-    rows = [[relation.example.removeprefix("solver."), relation.meaning()] for relation in RELATIONS.values()]
-    table("Relations", ["example", "meaning"], rows)
 
 
 for _command in (

@@ -15,17 +15,7 @@ from typer import Argument, Option
 from robolayout._errors import InputError
 from robolayout._files import write_atomic
 from robolayout._text import TOLD, file_name, pretty
-from robolayout.cli.options import (
-    BaseUrlOption,
-    Body,
-    KnowledgeOption,
-    MaxCostOption,
-    ReplayOption,
-    SeedOption,
-    Told,
-    names,
-    spread,
-)
+from robolayout.cli import options
 from robolayout.cli.terminal import say, show, warn
 
 if TYPE_CHECKING:
@@ -41,20 +31,20 @@ class Who:
     """Who plans."""
 
     program: Annotated[Path | None, Option(help="Use this constraint program instead of planning.")] = None
-    knowledge: KnowledgeOption = None
+    knowledge: options.KnowledgeOption = None
     model: Annotated[str | None, Option(help="Let a model plan: openai:gpt-4o, ollama:llava, ...")] = None
     mode: Annotated[str, Option(help="grouped, one_shot, no_image or no_constraint (with --model).")] = "grouped"
     samples: Annotated[int, Option(min=1, max=16, help="Programs asked for per group.")] = 1
     retries: Annotated[int, Option(min=0, max=10, help="Further questions per group.")] = 3
     critic: Annotated[bool, Option("--critic", help="Let the model rate the room and amend it once.")] = False
-    base_url: BaseUrlOption = None
-    max_cost: MaxCostOption = None
+    base_url: options.BaseUrlOption = None
+    max_cost: options.MaxCostOption = None
     timeout: Annotated[float, Option(help="Seconds to wait for a model's answer.")] = 60.0
     thinking: Annotated[str | None, Option(help="How much a model thinks first: minimal, low, medium or high.")] = None
     fallback: Annotated[list[str] | None, Option(help="A model to ask where the first fails; may be repeated.")] = None
     at_once: Annotated[int | None, Option(min=1, max=64, help="Most questions at the same time.")] = None
     cache: Annotated[bool, Option(help="Ask the provider to keep what all questions share.")] = True
-    replay: ReplayOption = None
+    replay: options.ReplayOption = None
 
     def __post_init__(self) -> None:
         """Refuse what excludes each other, before any work."""
@@ -103,14 +93,14 @@ class Who:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Asked(Body, Who, Told):
+class Asked(options.Body, Who, options.Told):
     """What is asked of one call: what to lay out, how to look for it, what to write, and where."""
 
     scene: Annotated[str, Argument(metavar="SCENE", help="A scene file (JSON), or one sentence in quotes.")]
     variants: Annotated[int, Option(min=1, max=64, help="Different rooms for one sentence or scene file.")] = 1
     constraints: Annotated[Path | None, Option(help="A Python file with constraints of your own; it is run.")] = None
 
-    seed: SeedOption = 0
+    seed: options.SeedOption = 0
     starts: Annotated[int, Option(min=1, max=256, help="Starts of the search.")] = 16
     solver: Annotated[str, Option(help="default, paper, paper-unrefined, trust-constr or dual-annealing.")] = "default"
     effort: Annotated[str, Option(help="How long to search: quick, normal or thorough.")] = "normal"
@@ -130,7 +120,7 @@ class Asked(Body, Who, Told):
     settle: Annotated[bool, Option("--settle", help="Let gravity act in MuJoCo (extra `sim`).")] = False
 
 
-@spread
+@options.spread
 def generate(asked: Asked) -> None:
     """Lay out a scene, verify it, and write layout, report, pictures and GLB."""
     from robolayout.run.given import names_a_file
@@ -169,7 +159,10 @@ def _different(asked: Asked, given: Scene | None, run: RunFolder, variant: int, 
             break
     worth, plan, result, understood = max(found, key=lambda one: one[0])
     if understood is not None:
-        _understood(asked, understood, run)
+        if not asked.quiet:
+            for line in understood.sentences():
+                warn(line)
+        write_atomic(run.path / "understood.json", pretty(understood.to_dict()))
     if variant and worth[1] < VARIETY.least:
         warn(
             f"{run.target.name} is much like another variant (difference {worth[1]:.2f}); say less of the room to get others."
@@ -183,7 +176,7 @@ def _check(asked: Asked) -> None:
     from robolayout.export import check_simulator, find_exporter
     from robolayout.scene import check_dress
 
-    for name in names(asked.export):
+    for name in options.names(asked.export):
         find_exporter(name)
     if asked.settle:
         check_simulator()
@@ -225,14 +218,6 @@ def _furnished(asked: Asked, planner: Planner, variant: int) -> tuple[Scene, Und
     return asked.of(scene), understood
 
 
-def _understood(asked: Asked, understood: Understanding, run: RunFolder) -> None:
-    """Write and say what was understood of a sentence."""
-    if not asked.quiet:
-        for line in understood.sentences():
-            warn(line)
-    write_atomic(run.path / "understood.json", pretty(understood.to_dict()))
-
-
 def _laid_out(asked: Asked, room: Scene, planner: Planner, seed: int) -> Result:
     """Lay one room out."""
     from robolayout.run.flow import generate as arrange
@@ -250,15 +235,15 @@ def _laid_out(asked: Asked, room: Scene, planner: Planner, seed: int) -> Result:
             solver=asked.solver,
             config=SolverConfig(starts=asked.starts, trace=asked.pictures).at(asked.effort),
             start=asked.start,
-            keep=names(asked.keep),
-            free=names(asked.free),
+            keep=options.names(asked.keep),
+            free=options.names(asked.free),
             dress=asked.dress,
             progress=tell,
         )
 
 
 def _written(asked: Asked, result: Result, run: RunFolder, tell: Callable[[str], None]) -> tuple[Result, list[Path]]:
-    """Write the files of a run, after asking gravity if so wished; return the run and the files."""
+    """Write the files of a run, after asking gravity if so wished, and walk.gif; return the run and the files."""
     from robolayout.run.outputs import write_files
 
     if asked.settle:
@@ -268,33 +253,29 @@ def _written(asked: Asked, result: Result, run: RunFolder, tell: Callable[[str],
         found = settle(result.scene, result.layout).to_dict()
         result = replace(result, report=replace(result.report, stability=found))
     tell("write")
-    files = write_files(result, run, pictures=asked.pictures, formats=names(asked.export))
-    return result, files + (_walk(result, run.path) if asked.walk else [])
+    files = write_files(result, run, pictures=asked.pictures, formats=options.names(asked.export))
+    if asked.walk:
+        from robolayout.page.marks import plan_marks
+        from robolayout.render import walk_gif
 
-
-def _walk(result: Result, folder: Path) -> list[Path]:
-    """Write walk.gif, or say why there is none."""
-    from robolayout.page.marks import plan_marks
-    from robolayout.render import walk_gif
-
-    first = result.report.agents[0]
-    try:
-        data = walk_gif(result.scene, result.layout, plan_marks(first), ways=first.ways, agent=first.agent)
-    except InputError as error:
-        warn(f"no walk.gif: {error}")
-        return []
-    return [write_atomic(folder / "walk.gif", data)]
+        first = result.report.agents[0]
+        try:
+            data = walk_gif(result.scene, result.layout, plan_marks(first), ways=first.ways, agent=first.agent)
+        except InputError as error:
+            warn(f"no walk.gif: {error}")
+        else:
+            files.append(write_atomic(run.path / "walk.gif", data))
+    return result, files
 
 
 def _tell(asked: Asked, result: Result, run: RunFolder, files: list[Path]) -> None:
     """Say what came of one room."""
     who = result.report.planner
-    warn_of = [f"warning: {warning}" for warning in who.get("warnings", ())]
+    for warning in who.get("warnings", ()):
+        warn(f"warning: {warning}")
     if run.kept and not asked.quiet:
         more = f" and {len(run.kept) - TOLD.kept} more" if len(run.kept) > TOLD.kept else ""
-        warn_of.append(f"kept in {run.target} what no run wrote: {', '.join(run.kept[: TOLD.kept])}{more}.")
-    for line in warn_of:
-        warn(line)
+        warn(f"kept in {run.target} what no run wrote: {', '.join(run.kept[: TOLD.kept])}{more}.")
 
     def told() -> None:
         show(result.report, [run.place(path) for path in files])

@@ -50,10 +50,20 @@ def main() -> NoReturn:
     if sys.unraisablehook is sys.__unraisablehook__:  # not where a test runner has put its own
         sys.unraisablehook = lambda unraisable: _in_passing(unraisable.exc_type)
         threading.excepthook = lambda args: _in_passing(args.exc_type)
-    code = guarded(_commands)
+
+    def commands() -> None:
+        from robolayout.cli.app import app  # nothing of it is loaded before the edge is drawn
+
+        app(prog_name="robolayout")
+
+    code = guarded(commands)
     sys.stdout.flush()
-    if outlet is not None and outlet.blocked is not None and code != INTERRUPTED:
-        code = _unread(outlet.blocked)
+    blocked = outlet and outlet.blocked
+    if blocked is not None and code != INTERRUPTED:
+        code = UNREAD if isinstance(blocked, BrokenPipeError) else WRONG
+        if code == WRONG:  # the reader did not just leave
+            what = f"what was to be printed cannot be written: {blocked.strerror}"
+            warn(f"{what}. Files are complete; give it another way, or --quiet.")
     raise SystemExit(code)
 
 
@@ -75,13 +85,6 @@ def guarded(work: Callable[[], None]) -> int:
         signal.signal(signal.SIGINT, signal.SIG_DFL)  # who cannot wait for threads to end needs to ask only once more
         warn("interrupted; nothing was left half-written.")
     return code
-
-
-def _commands() -> None:
-    """Run the command that the arguments name; nothing of it is loaded before the edge is drawn."""
-    from robolayout.cli.app import app
-
-    app(prog_name="robolayout")
 
 
 def _open_streams() -> Outlet | None:
@@ -125,12 +128,3 @@ def _unforeseen(error: BaseException) -> int:
         error = error.__cause__
     warn(sentence(error, write_note(error, sys.argv[1:])))
     return OURS
-
-
-def _unread(error: OSError) -> int:
-    """Return the exit code where what was printed could not be written, and say why unless the reader just left."""
-    if isinstance(error, BrokenPipeError):
-        return UNREAD
-    what = f"what was to be printed cannot be written: {error.strerror}"
-    warn(f"{what}. Files are complete; give it another way, or --quiet.")
-    return WRONG

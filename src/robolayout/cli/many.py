@@ -17,7 +17,7 @@ from robolayout.cli.options import Body, Told, names, spread
 from robolayout.cli.terminal import bulleted, say, table, warn
 
 if TYPE_CHECKING:
-    from robolayout.many.dataset import Batch, Progress
+    from robolayout.many.dataset import Progress
 
 EVERY = 30.0  # seconds between two lines about the progress where nobody looks at a terminal
 
@@ -55,7 +55,19 @@ def batch(  # noqa: PLR0913 - one parameter per option
     with told.progress() as tell:
         lines = _lines(tell, quiet=told.quiet or told.as_json)
         found = make(ready, out, workers=workers, cluster=(address or "local") if cluster else None, progress=lines)
-    told.tell({**vars(found), "folder": str(found.folder)}, lambda: _tell(found))
+
+    def show() -> None:
+        say(f"{found.met} of {found.rooms} rooms meet all their demands.")
+        if found.unmet:
+            say(f"{found.unmet} do not, and were kept.")
+        bulleted([f"room {index} was given up: {why}" for index, why in found.missing.items()], "index")
+        if found.replaced:
+            rows = [[str(number), why] for why, number in list(found.replaced.items())[: TOLD.shown]]
+            table(f"{sum(found.replaced.values())} tries were replaced", ["", "why"], rows)
+        files = ("index.csv", "index.parquet", "index.html", "contact.png", "README.md")
+        say(*(str(found.folder / name) for name in files))
+
+    told.tell({**vars(found), "folder": str(found.folder)}, show)
     raise typer.Exit(0 if found.ok else 1)
 
 
@@ -71,19 +83,6 @@ def _lines(tell: Callable[[str], None], *, quiet: bool) -> Callable[[Progress], 
             warn(str(now))
 
     return told
-
-
-def _tell(found: Batch) -> None:
-    """Say what became of a batch."""
-    say(f"{found.met} of {found.rooms} rooms meet all their demands.")
-    if found.unmet:
-        say(f"{found.unmet} do not, and were kept.")
-    bulleted([f"room {index} was given up: {why}" for index, why in found.missing.items()], "index")
-    if found.replaced:
-        rows = [[str(number), why] for why, number in list(found.replaced.items())[: TOLD.shown]]
-        table(f"{sum(found.replaced.values())} tries were replaced", ["", "why"], rows)
-    files = ("index.csv", "index.parquet", "index.html", "contact.png", "README.md")
-    say(*(str(found.folder / name) for name in files))
 
 
 @spread

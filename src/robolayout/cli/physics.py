@@ -12,17 +12,7 @@ from typer import Option
 
 from robolayout._files import write_atomic
 from robolayout._text import pretty
-from robolayout.cli.options import (
-    AssetDirOption,
-    DoorsOption,
-    Laid,
-    LayoutArgument,
-    SceneArgument,
-    Told,
-    ending,
-    one_of,
-    spread,
-)
+from robolayout.cli import options
 from robolayout.cli.terminal import say, table
 
 if TYPE_CHECKING:
@@ -35,29 +25,42 @@ def standing(doors: str) -> str:
     """Return how the room's doors stand, if it is known."""
     from robolayout.export import LEAVES
 
-    return one_of("way for doors to stand", doors, LEAVES)
+    return options.one_of("way for doors to stand", doors, LEAVES)
 
 
-@spread
+@options.spread
 def settle(
-    scene: SceneArgument,
-    layout: LayoutArgument,
-    told: Told,
+    scene: options.SceneArgument,
+    layout: options.LayoutArgument,
+    told: options.Told,
     seconds: Annotated[float, Option(min=0.1, max=60.0, help="Seconds of gravity.")] = 5.0,
     report: ReportOption = None,
-    asset_dir: AssetDirOption = None,
+    asset_dir: options.AssetDirOption = None,
 ) -> None:
     """Let gravity act on a layout in MuJoCo and report what moves (extra `sim`)."""
     from robolayout.export import settle as run
 
     _check(report)
-    given, placed = Laid(scene=scene, layout=layout, asset_dir=asset_dir).read_both()
+    given, placed = options.Laid(scene=scene, layout=layout, asset_dir=asset_dir).read_both()
     found = run(given, placed, seconds)
-    _tell(found, report, told, lambda: _show_settled(found, given.name))
+
+    def show() -> None:
+        farthest = sorted(found.motions.items(), key=lambda pair: -pair[1].displacement)
+        rows = [
+            [name, f"{how.displacement * 1000:.1f} mm", f"{math.degrees(how.tilt):.2f}", "yes" if how.stable else "NO"]
+            for name, how in farthest
+        ]
+        table(f"{given.name} after {found.seconds:g} s of gravity", ["asset", "moved", "tilt (degrees)", "stays"], rows)
+        say(f"{found.stable_share:.2f} of the assets stay within 1 cm and 2 degrees")
+        say(*(f"- {sentence}" for sentence in found.violations))
+
+    _tell(found, report, told, show)
 
 
-@spread
-def drive(laid: Laid, told: Told, report: ReportOption = None, doors: DoorsOption = "open") -> None:
+@options.spread
+def drive(
+    laid: options.Laid, told: options.Told, report: ReportOption = None, doors: options.DoorsOption = "open"
+) -> None:
     """Drive the agent's footprint to everything that it uses in MuJoCo and report contacts (extra `sim`)."""
     from robolayout.export import drive as run
     from robolayout.verify import judge_agent
@@ -83,23 +86,12 @@ def _check(report: Path | None) -> None:
 
     check_simulator()
     if report is not None:
-        ending(report, "the report", (".json",))
+        options.ending(report, "the report", (".json",))
 
 
-def _tell(found: Settled | Driven, report: Path | None, told: Told, show: Callable[[], None]) -> None:
+def _tell(found: Settled | Driven, report: Path | None, told: options.Told, show: Callable[[], None]) -> None:
     """Write and print what was found."""
     if report is not None:
         write_atomic(report, pretty(found.to_dict()))
     told.tell(found.to_dict(), show)
     raise typer.Exit(1 if found.violations else 0)
-
-
-def _show_settled(found: Settled, name: str) -> None:
-    """Print how far each asset moved, the farthest first, and what is wrong."""
-    rows = [
-        [asset, f"{how.displacement * 1000:.1f} mm", f"{math.degrees(how.tilt):.2f}", "yes" if how.stable else "NO"]
-        for asset, how in sorted(found.motions.items(), key=lambda pair: -pair[1].displacement)
-    ]
-    table(f"{name} after {found.seconds:g} s of gravity", ["asset", "moved", "tilt (degrees)", "stays"], rows)
-    say(f"{found.stable_share:.2f} of the assets stay within 1 cm and 2 degrees")
-    say(*(f"- {sentence}" for sentence in found.violations))

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated
 
 from typer import Option
 
@@ -127,15 +127,13 @@ def _drawn(scene: Scene, layout: Layout, wish: Wish, suffix: str) -> bytes:
 
 def _stand(scene: Scene, layout: Layout, view: str) -> Point | None:
     """Return where the agent stands for an eye-level picture: on its way to the asset, as near as shows all of it."""
+    from robolayout.verify import judge_agent
+
     name = view.removeprefix("eye:")
     if name == view or name not in layout:
         return None
-    from robolayout.verify import judge_agent
-
     route = judge_agent(scene, layout, scene.agent).navigation.routes.get(name)
-    if route is None:
-        return None
-    return viewpoint(route.points, layout[name], SEEN_FROM * max(scene.by_name[name].size))
+    return route and viewpoint(route.points, layout[name], SEEN_FROM * max(scene.by_name[name].size))
 
 
 def viewpoint(route: Sequence[Point], pose: Pose, distance: float) -> Point:
@@ -153,6 +151,7 @@ def viewpoint(route: Sequence[Point], pose: Pose, distance: float) -> Point:
 
 def _measured(studio: Studio, wish: Wish, target: Path, stand: Point | None) -> list[tuple[Path, bytes]]:
     """Return the picture, which asset each pixel shows, how far it is, and what the numbers mean."""
+    import numpy as np
     from PIL import Image
 
     from robolayout.render import png_bytes
@@ -162,10 +161,19 @@ def _measured(studio: Studio, wish: Wish, target: Path, stand: Point | None) -> 
     files = [(target, png_bytes(Image.fromarray(buffers.color)))]
     if wish.ids:
         files.append((target.with_name(f"{target.stem}-ids.png"), png_bytes(_id_picture(buffers))))
-    if wish.depth:
-        files.append((target.with_name(f"{target.stem}-depth.png"), png_bytes(_depth_picture(buffers))))
-    notes = pretty(_notes(buffers))
-    return [*files, (target.with_suffix(".json"), notes.encode())]
+    if wish.depth:  # whole millimetres in 16 bits; 0 is the background
+        metres = np.where(np.isfinite(buffers.depth), buffers.depth * 1000.0, 0.0)
+        drawn = Image.fromarray(np.clip(np.round(metres), 0, 65535).astype(np.uint16))
+        files.append((target.with_name(f"{target.stem}-depth.png"), png_bytes(drawn)))
+    camera = buffers.camera
+    about = {"position": list(camera.position), "target": list(camera.target), "up": list(camera.up)}
+    about |= {"vertical_field_of_view": math.degrees(camera.fov), "width": camera.width, "height": camera.height}
+    notes = {
+        "ids": {"0": "background", **{str(k + 1): name for k, name in enumerate(buffers.names)}},
+        "depth": "millimetres along the line of sight; 0 is the background",
+        "camera": about,
+    }
+    return [*files, (target.with_suffix(".json"), pretty(notes).encode())]
 
 
 def _id_picture(buffers: Buffers) -> Image:
@@ -182,29 +190,3 @@ def _id_picture(buffers: Buffers) -> Image:
     colors = np.concatenate([[(0, 0, 0), (128, 128, 128)], np.round(255 * ramp)]).astype(np.uint8)
     picture.putpalette(colors.tobytes())
     return picture
-
-
-def _depth_picture(buffers: Buffers) -> Image:
-    """Return depths in whole millimetres as a 16-bit picture; 0 is the background."""
-    import numpy as np
-    from PIL import Image
-
-    depth = np.where(np.isfinite(buffers.depth), buffers.depth * 1000.0, 0.0)
-    return Image.fromarray(np.clip(np.round(depth), 0, 65535).astype(np.uint16))
-
-
-def _notes(buffers: Buffers) -> dict[str, Any]:
-    """Return what the pixels of the id and depth pictures mean, and where the camera is."""
-    camera = buffers.camera
-    return {
-        "ids": {"0": "background", **{str(k + 1): name for k, name in enumerate(buffers.names)}},
-        "depth": "millimetres along the line of sight; 0 is the background",
-        "camera": {
-            "position": list(camera.position),
-            "target": list(camera.target),
-            "up": list(camera.up),
-            "vertical_field_of_view": math.degrees(camera.fov),
-            "width": camera.width,
-            "height": camera.height,
-        },
-    }

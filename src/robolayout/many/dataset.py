@@ -25,7 +25,7 @@ from robolayout._text import pretty
 from robolayout._version import __version__
 from robolayout.many.index import check_tables, write_index
 from robolayout.many.room import NOTE, Made, shelved
-from robolayout.many.spec import Ready, changed, read_spec
+from robolayout.many.spec import Ready, read_spec
 from robolayout.many.variety import VARIETY, Plan, nearest
 from robolayout.many.workers import WORKERS, Local, Ray, Task, Workers, check_cluster
 from robolayout.run.folder import open_folder
@@ -134,7 +134,8 @@ def _check_folder(folder: Path, ready: Ready) -> None:
     found = _CHECK.mapping(_CHECK.read_json(head, "batch"), f"batch {head}")
     if found.get("digest") == ready.digest() and found.get("robolayout") == __version__:
         return
-    keys = changed(_CHECK.mapping(found.get("spec"), f"spec of {head}"), ready.spec)
+    before, now = _CHECK.mapping(found.get("spec"), f"spec of {head}"), ready.spec.to_dict()
+    keys = [key for key in {**before, **now} if before.get(key) != now.get(key)]
     what = f"a file that it names changed, or RoboLayout ({found.get('robolayout')}) did"
     what = f"its {', '.join(keys)} changed" if keys else what
     raise InputError(f"{folder} holds rooms of another SPEC: {what}; choose another folder, or the former SPEC.")
@@ -182,8 +183,7 @@ class _Run:
         for index in range(self.ready.count):
             note = self.folder / room_path(index) / NOTE
             if note.is_file():
-                found = _CHECK.mapping(_CHECK.read_json(note, "room"), f"room {note}")
-                self._know(index, found)
+                self._know(index, _CHECK.mapping(_CHECK.read_json(note, "room"), f"room {note}"))
             else:
                 self.queue.append(index)
         self._settle()
@@ -260,21 +260,17 @@ class _Run:
                 source = self.ready.sources[self.settled % len(self.ready.sources)].text
                 others = self.plans.setdefault(source, [])
                 room.nearest = nearest(room.plan, others)
-                if room.nearest[0] < VARIETY.least:
-                    self._drop(self.settled, room)
+                if room.nearest[0] < VARIETY.least:  # it is made again
+                    del self.known[self.settled]
+                    self.progress.made -= 1
+                    self.progress.here -= 1
+                    self.progress.met -= room.status == "met"
+                    self.tries[self.settled] = room.replaced
+                    self._replace(self.settled, f"near-duplicate of room {room.nearest[1]}")
                     continue
                 others.append((self.settled, room.plan))
                 room.plan = None
             self.settled += 1
-
-    def _drop(self, index: int, room: _Known) -> None:
-        """Have a room made again that is much like an earlier one."""
-        del self.known[index]
-        self.progress.made -= 1
-        self.progress.here -= 1
-        self.progress.met -= room.status == "met"
-        self.tries[index] = room.replaced
-        self._replace(index, f"near-duplicate of room {room.nearest[1]}")
 
     def _time(self, task: Task, made: Made) -> None:
         """Write down how long a try took, apart from what it made."""

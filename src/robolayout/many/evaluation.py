@@ -21,8 +21,7 @@ from robolayout._files import write_atomic
 from robolayout._text import markdown
 from robolayout.many.dataset import MESHES
 from robolayout.many.found import Found, find_rooms
-from robolayout.many.index import check_tables, write_rows
-from robolayout.many.page import PAGES, columns, page
+from robolayout.many.index import PAGES, check_tables, columns, page, write_rows
 from robolayout.many.room import figures
 from robolayout.run.folder import open_folder
 from robolayout.scene import Agent, load_agents

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import base64
 import csv
 import io
 import statistics
 from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
 from importlib.util import find_spec
 from pathlib import Path
 from string import Template
@@ -19,14 +21,27 @@ from robolayout._errors import MissingExtraError
 from robolayout._files import write_atomic
 from robolayout._reading import LIMITS, Unreadable, regular_bytes
 from robolayout._reading.glb import glb_notice
-from robolayout._text import TOLD, markdown
+from robolayout._text import TOLD, html, markdown, printable
 from robolayout._version import __version__
-from robolayout.many.page import PAGES, columns, page
 from robolayout.many.spec import Ready
 from robolayout.many.variety import VARIETY
-from robolayout.page import part
+from robolayout.page import part, sealed
 from robolayout.render import png_bytes
 from robolayout.render.animation import spread
+
+
+@dataclass(frozen=True)
+class PageConfig:
+    """How much of a data set its pages and pictures show."""
+
+    rows: int = 5000  # rows that one page holds; the index has all
+    tile: int = 160  # pixels of a side of one room in the picture of all
+    tiles: int = 600  # rooms in that picture; of more, so many at even distances
+    plotted: int = 24  # figures that a plot shows
+    thumb: int = 240  # pixels of a side of the small picture that every room has
+
+
+PAGES = PageConfig()
 
 OWN = "Own meshes, with the notice that each file holds:"
 
@@ -68,19 +83,16 @@ def write_rows(stem: Path, rows: Sequence[Mapping[str, Any]]) -> list[Path]:
     text = io.StringIO()
     writer = csv.writer(text, lineterminator="\n")
     writer.writerows([names, *([row.get(name, "") for name in names] for row in rows)])
-    found = pyarrow.table({name: _column([row.get(name) for row in rows]) for name in names})
+    table: dict[str, list[Any]] = {}
+    for name in names:
+        values = [row.get(name) for row in rows]
+        if {type(value) for value in values} - {type(None)} in ({int, float}, {bool, float}):  # one type in a column
+            values = [None if value is None else float(value) for value in values]
+        table[name] = values
     stream = io.BytesIO()
-    pyarrow.parquet.write_table(found, stream, compression="zstd")
+    pyarrow.parquet.write_table(pyarrow.table(table), stream, compression="zstd")
     files = {".csv": text.getvalue(), ".parquet": stream.getvalue()}
     return [write_atomic(stem.with_name(stem.name + suffix), data) for suffix, data in files.items()]
-
-
-def _column(values: list[Any]) -> list[Any]:
-    """Return values of one type: whole numbers among others are numbers."""
-    kinds = {type(value) for value in values if value is not None}
-    if kinds == {int, float} or kinds == {bool, float}:
-        return [None if value is None else float(value) for value in values]
-    return values
 
 
 def contact(folder: Path, rows: Sequence[Mapping[str, Any]]) -> bytes:
@@ -139,3 +151,27 @@ def _notice(path: Path) -> str:
         return glb_notice(regular_bytes(path, LIMITS.mesh_bytes)) or "none stated"
     except Unreadable:  # another format, which has no place for one
         return "none stated"
+
+
+def columns(rows: Sequence[Mapping[str, Any]]) -> list[str]:
+    """Return the names of all columns, in the order in which they first come."""
+    return list(dict.fromkeys(name for row in rows for name in row))
+
+
+def page(
+    title: str, rows: Sequence[Mapping[str, Any]], *, thumbs: bool = False, plots: Mapping[str, bytes] | None = None
+) -> str:
+    """Return the page: PNG plots by what they show, then the rows, each with `thumb.png` of its `path` if that is asked for."""
+    names = columns(rows)
+    values = ((row.get(name) for name in names) for row in rows[: PAGES.rows])
+    cells = [[printable(value) if isinstance(value, str) else value for value in row] for row in values]
+    note = f"The first {PAGES.rows} of {len(rows)} rooms; the index has all." if len(rows) > PAGES.rows else ""
+    shown = "".join(
+        f'<figure><img alt="{html(name)}" src="data:image/png;base64,{base64.b64encode(data).decode()}">'
+        f"<figcaption>{html(name)}</figcaption></figure>"
+        for name, data in (plots or {}).items()
+    )
+    data = {"columns": names, "rows": cells, "thumbs": thumbs}
+    parts = {"title": html(title), "note": html(note), "plots": shown}
+    html_, script, style = (part("robolayout.many", f"many.{suffix}") for suffix in ("html", "js", "css"))
+    return sealed(html_, script, style, data, images="'self' file: data:", **parts)

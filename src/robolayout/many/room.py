@@ -25,16 +25,15 @@ from PIL import Image
 from robolayout._errors import InputError, RoboLayoutError
 from robolayout._files import write_atomic
 from robolayout.export import export_all
-from robolayout.many.page import PAGES
+from robolayout.many.index import PAGES
 from robolayout.many.spec import Ready, Source, Spec, read_spec
 from robolayout.many.variety import Thing, things
 from robolayout.planners import scene_from_sentence
 from robolayout.render import draw_plan, png_bytes
-from robolayout.run.attempt import Clock
 from robolayout.run.flow import generate
 from robolayout.run.folder import RunFolder
 from robolayout.run.outputs import export_options, write_files, write_plain
-from robolayout.run.result import Result
+from robolayout.run.result import Clock, Result
 from robolayout.scene import Agent, Scene, layout_digest, load_agent, scene_digest, scene_from_dict, scene_to_dict
 from robolayout.solve import SolverConfig
 from robolayout.verify import Report, verify
@@ -151,12 +150,8 @@ def _with_own(
     assets: dict[str, dict[str, Any]] = data["assets"]  # type: ignore[assignment]
     kinds = sorted({str(entry["category"]) for entry in assets.values()} & set(own))
     chosen = {kind: own[kind][int(rng.integers(len(own[kind])))] for kind in kinds}
-    data["assets"] = {
-        name: {**entry, **chosen[entry["category"]], "category": entry["category"]}
-        if entry["category"] in chosen
-        else entry
-        for name, entry in assets.items()
-    }
+    for entry in assets.values():
+        entry.update(chosen.get(entry["category"], {}), category=entry["category"])
     return replace(scene_from_dict(data, name=scene.name, asset_dir=meshes), agents=scene.agents)
 
 
@@ -182,8 +177,12 @@ def tried(ready: Ready, index: int, attempt: int, meshes: Path | None, clock: Cl
     except RoboLayoutError as error:
         return str(error).splitlines()[0]
     clock.seconds |= {name: dict(seconds) for name, seconds in result.report.timing.items()}
-    why = "" if ready.spec.keep_unmet else _unmet(result.report)
-    return why or (drawn, replace(result, report=replace(result.report, timing={})))
+    why, report = list[str](), result.report
+    if not ready.spec.keep_unmet:  # which demands are not met, in a few words
+        asked = (f"asked: {row.words}" for row in report.asked if row.verdict == "unmet")
+        impossible = ["impossible for the body"] if any(one.impossible for one in report.agents) else []
+        why = [*report.unmet, *impossible, *asked]
+    return ", ".join(why) or (drawn, replace(result, report=replace(report, timing={})))
 
 
 def make(ready: Ready, index: int, attempt: int, meshes: Path | None = None) -> Made:
@@ -194,16 +193,11 @@ def make(ready: Ready, index: int, attempt: int, meshes: Path | None = None) -> 
         return Made(found, seconds=_spent(clock))
     drawn, result = found
     with clock.station("write"):
-        files = _files(result, spec, drawn.seed, meshes)
-    row = {**drawn.facts, "attempt": attempt, **figures(result.report), "sha256": _hash(files)}
+        files, whole = _files(result, spec, drawn.seed, meshes), hashlib.sha256()
+    for name, data in sorted(files.items()):
+        whole.update(f"{name}\n{len(data)}\n".encode() + data)
+    row = {**drawn.facts, "attempt": attempt, **figures(result.report), "sha256": whole.hexdigest()}
     return Made("", row, things(result.scene, result.layout), files, _spent(clock))
-
-
-def _unmet(report: Report) -> str:
-    """Return in a few words which demands are not met; nothing where all are."""
-    asked = [f"asked: {row.words}" for row in report.asked if row.verdict == "unmet"]
-    impossible = ["impossible for the body"] if any(one.impossible for one in report.agents) else []
-    return ", ".join([*report.unmet, *impossible, *asked])
 
 
 def _files(result: Result, spec: Spec, looks: int, meshes: Path | None) -> dict[str, bytes]:
@@ -218,23 +212,12 @@ def _files(result: Result, spec: Spec, looks: int, meshes: Path | None) -> dict[
             export_all(result.scene, result.layout, spec.formats, folder=folder, options=options, partial=True)
         made = (path for path in sorted(folder.rglob("*")) if path.is_file())
         found = {path.relative_to(folder).as_posix(): path.read_bytes() for path in made}
-    return found | {"thumb.png": _thumb(result, found.get("top.png"))}
-
-
-def _thumb(result: Result, drawn: bytes | None) -> bytes:
-    """Return the small picture of a room: from above where that is drawn, else the plan, which costs a fifth."""
-    plan = None if drawn else draw_plan(result.scene, result.layout, names=False)
-    picture = plan.image(2 * PAGES.thumb) if plan else Image.open(BytesIO(drawn or b"")).convert("RGB")
+    if "top.png" in found:
+        picture = Image.open(BytesIO(found["top.png"])).convert("RGB")
+    else:  # the plan costs a fifth
+        picture = draw_plan(result.scene, result.layout, names=False).image(2 * PAGES.thumb)
     picture.thumbnail((PAGES.thumb, PAGES.thumb), Image.Resampling.LANCZOS)
-    return png_bytes(picture.quantize(64))
-
-
-def _hash(files: Mapping[str, bytes]) -> str:
-    """Return the SHA-256 of all files of a room with their names."""
-    whole = hashlib.sha256()
-    for name, data in sorted(files.items()):
-        whole.update(f"{name}\n{len(data)}\n".encode() + data)
-    return whole.hexdigest()
+    return found | {"thumb.png": png_bytes(picture.quantize(64))}
 
 
 def figures(report: Report) -> dict[str, Any]:

@@ -150,7 +150,9 @@ def read_spec(given: str | Path | Mapping[str, Any], **changes: Any) -> Ready:
         table = {"rooms": [str(given)]}
     spec = _spec({**table, **changes})
     sources = tuple(_source(text, base, spec) for text in spec.rooms)
-    bodies = tuple(_bodies(text, base) for text in spec.bodies) or (None,)
+    named = ([name.strip() for name in text.split(",") if name.strip()] for text in spec.bodies)
+    files = ([base / name if (base / name).is_file() else name for name in group] for group in named)
+    bodies = tuple(map(load_agents, files)) or (None,)
     own, meshes = _catalogues(spec.catalogues, base)
     return Ready(spec, sources, bodies, own, meshes)
 
@@ -239,12 +241,6 @@ def _source(text: str, base: Path, spec: Spec) -> Source:
     return Source(text, None, sentence, found.size)
 
 
-def _bodies(text: str, base: Path) -> tuple[Agent, ...]:
-    """Return bodies by their names or files."""
-    names = [name.strip() for name in text.split(",") if name.strip()]
-    return load_agents([base / name if (base / name).is_file() else name for name in names])
-
-
 def _catalogues(names: Sequence[str], base: Path) -> tuple[dict[str, tuple[Mapping[str, Any], ...]], dict[str, Path]]:
     """Return the entries of catalogues by kind of thing, and their meshes by the paths that these have in a batch."""
     own: dict[str, list[Mapping[str, Any]]] = {}
@@ -265,9 +261,3 @@ def _catalogues(names: Sequence[str], base: Path) -> tuple[dict[str, tuple[Mappi
             meshes[found["path"]] = home / path
             own.setdefault(find_category(str(found.get("category", key))).name, []).append(found)
     return {kind: tuple(entries) for kind, entries in own.items()}, meshes
-
-
-def changed(before: Mapping[str, Any], spec: Spec) -> list[str]:
-    """Return the keys in which a SPEC differs from one that was written down."""
-    now = spec.to_dict()
-    return [key for key in {**before, **now} if before.get(key) != now.get(key)]

@@ -31,7 +31,6 @@ class VarietyConfig:
 
 VARIETY = VarietyConfig()
 
-
 Thing = tuple[str, float, float, float]  # kind, x and y in metres from the middle of the room, heading in radians
 
 
@@ -50,7 +49,14 @@ class Plan:
         self.counts = Counter(str(thing[0]) for thing in found)
         self.kinds = np.array([thing[0] for thing in found], dtype=object)
         poses = np.array([thing[1:] for thing in found], dtype=float).reshape(-1, 3)
-        self.seen = np.stack([_seen(poses, turn, mirrored) for mirrored in (False, True) for turn in range(4)])
+        seen: list[NDArray[np.float64]] = []  # after a mirroring at the y axis, and so many quarter turns
+        for mirrored in (False, True):
+            x, y, yaw = poses.T
+            x, yaw = (-x, math.pi - yaw) if mirrored else (x, yaw)
+            for _ in range(4):
+                seen.append(np.stack([x, y, yaw], axis=1))
+                x, y, yaw = -y, x, yaw + math.pi / 2
+        self.seen = np.stack(seen)
 
     def least(self, other: Plan) -> float:
         """Return a bound that the difference is never below: the share of things whose kind the other one lacks."""
@@ -82,16 +88,6 @@ def nearest(plan: Plan, others: Sequence[tuple[int, Plan]]) -> tuple[float, int]
         if (found := plan.difference(other, best[0])) < best[0]:
             best = (found, number)
     return best
-
-
-def _seen(poses: NDArray[np.float64], turn: int, mirrored: bool) -> NDArray[np.float64]:
-    """Return poses after a mirroring at the y axis and so many quarter turns."""
-    x, y, yaw = poses.T
-    if mirrored:
-        x, yaw = -x, math.pi - yaw
-    for _ in range(turn):
-        x, y, yaw = -y, x, yaw + math.pi / 2
-    return np.stack([x, y, yaw], axis=1)
 
 
 def _pairs(apart: NDArray[np.float64]) -> int:

@@ -74,19 +74,18 @@ class Local:
 
     def send(self, task: Task) -> None:
         """Give a try to an idle process, or to a new one; the caller keeps within `slots`."""
-        free = next((one for one in self._all if one.task is None), None) or self._started()
+        free = next((one for one in self._all if one.task is None), None)
+        if free is None:
+            context = get_context("spawn")
+            here, there = context.Pipe()
+            process = context.Process(target=_serve, args=(there, self.ready, self.meshes), daemon=True)
+            process.start()
+            there.close()
+            free = _Process(process, here)
+            self._all.append(free)
         free.task = task
         with suppress(OSError):  # it has ended; `done` says so
             free.pipe.send(task)
-
-    def _started(self) -> _Process:
-        context = get_context("spawn")
-        here, there = context.Pipe()
-        process = context.Process(target=_serve, args=(there, self.ready, self.meshes), daemon=True)
-        process.start()
-        there.close()
-        self._all.append(_Process(process, here))
-        return self._all[-1]
 
     def done(self) -> Iterator[tuple[Task, Made | None]]:
         """Yield what processes have made, and None for the tries of those that have ended; after a moment, with or without any."""
@@ -131,7 +130,11 @@ def bounded(ready: Ready, task: Task, meshes: Path) -> Made:
 
     Time is counted in CPU seconds, lest a busy machine lose rooms; one that only waits has `WORKERS.patience` times as long.
     """
-    _limit_memory(int(ready.spec.memory * 1e9))
+    with suppress(ImportError, AttributeError, ValueError, OSError):  # not every system can refuse a process more
+        import resource
+
+        most = int(ready.spec.memory * 1e9)
+        resource.setrlimit(resource.RLIMIT_DATA, (most, resource.getrlimit(resource.RLIMIT_DATA)[1]))
     with open(os.devnull, "w") as nowhere:
         faulthandler.dump_traceback_later(WORKERS.patience * ready.spec.seconds, exit=True, file=nowhere)
         signal.setitimer(signal.ITIMER_PROF, ready.spec.seconds)  # its signal ends a process that does not expect it
@@ -142,15 +145,6 @@ def bounded(ready: Ready, task: Task, meshes: Path) -> Made:
         finally:
             signal.setitimer(signal.ITIMER_PROF, 0)
             faulthandler.cancel_dump_traceback_later()
-
-
-@cache
-def _limit_memory(size: int) -> None:
-    """Let the system refuse this process more data than so many bytes, where it can."""
-    with suppress(ImportError, AttributeError, ValueError, OSError):
-        import resource
-
-        resource.setrlimit(resource.RLIMIT_DATA, (size, resource.getrlimit(resource.RLIMIT_DATA)[1]))
 
 
 class Ray:

@@ -9,8 +9,8 @@ from typing import Any
 
 from robolayout.planners import Feedback, Group, Score, poses_text, score_samples
 from robolayout.program import Statement
-from robolayout.run.attempt import Attempt
 from robolayout.run.diff import without_figures
+from robolayout.run.result import Attempt
 from robolayout.scene import Layout, Pose, Scene
 from robolayout.verify import Report
 
@@ -47,17 +47,19 @@ class Sample:
 
 @dataclass(frozen=True)
 class Candidate:
-    """One readable answer for a group, solved and verified."""
+    """One readable answer for a group, or what the offline planner says of it, solved and verified."""
 
     sample: Sample
     attempt: Attempt  # what came of it
     report: Report  # what the judge says
     # what the judge finds wrong that was not wrong before this group, and what of the brief is not met, in sentences
-    wrong: tuple[str, ...]
-    forgotten: tuple[str, ...]  # things of the group that it says nothing about, as programs write them
-    strays: tuple[str, ...]  # statements about things that are not this group's business, and why they were left out
-    own: frozenset[int]  # numbers of its own statements
-    cut: bool  # whether it was cut off at its end
+    wrong: tuple[str, ...] = ()
+    forgotten: tuple[str, ...] = ()  # things of the group that it says nothing about, as programs write them
+    strays: tuple[
+        str, ...
+    ] = ()  # statements about things that are not this group's business, and why they were left out
+    own: frozenset[int] = frozenset()  # numbers of its own statements
+    cut: bool = False  # whether it was cut off at its end
 
     @property
     def done(self) -> bool:
@@ -146,11 +148,8 @@ class Question:
     def records(self) -> Iterator[Sample]:
         """Yield all answers with their scores."""
         best = self.best()
-        scored = {id(one.sample): (one, score) for one, score in zip(self.candidates, self.scores(), strict=True)}
-        for sample in self.samples:
-            if id(sample) not in scored:
-                yield sample
-                continue
-            one, score = scored[id(sample)]
+        scored: dict[int, Sample] = {}
+        for one, score in zip(self.candidates, self.scores(), strict=True):
             mine = {name: pose for name, pose in one.attempt.solution.layout.items() if name in self.group.items}
-            yield replace(sample, score=score, layout=Layout(mine), kept=one is best)
+            scored[id(one.sample)] = replace(one.sample, score=score, layout=Layout(mine), kept=one is best)
+        yield from (scored.get(id(sample), sample) for sample in self.samples)

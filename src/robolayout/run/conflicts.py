@@ -8,11 +8,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
 from robolayout.constraints import Relation
-from robolayout.program import Reconciled, Statement
+from robolayout.program import Program, Reconciled, Statement
 from robolayout.scene import Layout, Scene
 from robolayout.solve import Proposals, carry, compile_problem
 from robolayout.verify import judge_agent, physics
@@ -29,15 +30,6 @@ class ConflictConfig:
 CONFLICTS = ConflictConfig()
 
 
-@dataclass(frozen=True)
-class _Standing:
-    """What is wrong in a layout, as sentences by weight."""
-
-    physics: frozenset[str]
-    out_of_reach: frozenset[str]
-    unmet: dict[int, Statement]
-
-
 def conflicts(
     scene: Scene, reconciled: Reconciled, layout: Layout, said: Mapping[Relation, str], *, seed: int = 0
 ) -> dict[int, str]:
@@ -46,50 +38,46 @@ def conflicts(
     program = reconciled.program
     unmet = [s for s in program.statements if not s.relation.check(scene, layout).met]
     if unmet:
-        looker = _Looker(scene, reconciled, layout, said, np.random.default_rng(seed))
+        looker = _Looker(scene, program, layout, said, np.random.default_rng(seed))
         for s in unmet:
             open_ways = "; other ways of what is left open were tried, the nearest to right first"
             found[s.number] = looker.against(s) + (open_ways if s.relation.ways(scene) else "")
     return found
 
 
+@dataclass
 class _Looker:
     """Tries places for the things of unmet statements."""
 
-    def __init__(
-        self,
-        scene: Scene,
-        reconciled: Reconciled,
-        layout: Layout,
-        said: Mapping[Relation, str],
-        rng: np.random.Generator,
-    ) -> None:
-        self.scene, self.program, self.said, self.rng = scene, reconciled.program, said, rng
-        self.problem = compile_problem(scene, reconciled.program, pinned=layout)
+    scene: Scene
+    program: Program
+    layout: Layout
+    said: Mapping[Relation, str]
+    rng: np.random.Generator
+
+    def __post_init__(self) -> None:
+        self.problem = compile_problem(self.scene, self.program, pinned=self.layout)
         self.proposals = Proposals(self.problem)
-        self.now = self._standing(layout)
+        self.now = self._standing(self.layout)
 
     def against(self, statement: Statement) -> str:
         """Return what stands against one unmet statement."""
         best: tuple[float, str] | None = None
         for place in self._places(statement):
-            then = self._standing(place)
-            collisions = sorted(then.physics - self.now.physics)
-            reach = sorted(then.out_of_reach - self.now.out_of_reach)
-            others = [s for number, s in then.unmet.items() if number not in self.now.unmet]
+            wrong, short, unmet = (then - now for then, now in zip(self._standing(place), self.now, strict=True))
+            others = [s for s in self.program.statements if s.number in unmet]
             weight = sum(float(getattr(s.relation, "weight", 1.0)) for s in others)
-            cost = 100.0 * len(collisions) + 2.0 * len(reach) + weight
+            cost = 100.0 * len(wrong) + 2.0 * len(short) + weight
             if best is None or cost < best[0]:
-                sentences = [*collisions, *(f"{name} out of reach" for name in reach)]
-                sentences += [self._called(s) for s in others]
+                sentences = [*sorted(wrong), *(f"{name} out of reach" for name in sorted(short))]
+                for s in others:
+                    words = self.said.get(s.relation)
+                    called = f"the wish {words!r}" if words else f"statement {s.number}, {s.relation.sentence()}"
+                    sentences.append(called)
                 best = (cost, "; ".join(text.rstrip(".") for text in sentences[:3]))
         if best is None:
             return "the others: with everything else in place, no place was found where it holds"
         return best[1] or "nothing that was found: more starts or another seed may meet it"
-
-    def _called(self, statement: Statement) -> str:
-        words = self.said.get(statement.relation)
-        return f"the wish {words!r}" if words else f"statement {statement.number}, {statement.relation.sentence()}"
 
     def _places(self, statement: Statement) -> list[Layout]:
         """Return layouts in which the statement holds and one thing of it has moved."""
@@ -104,10 +92,10 @@ class _Looker:
                     found.append(layout)
         return found
 
-    def _standing(self, layout: Layout) -> _Standing:
-        """Return what is wrong in a layout."""
+    def _standing(self, layout: Layout) -> tuple[set[Any], set[Any], set[Any]]:
+        """Return what is wrong in a layout: sentences, names of what is out of reach, numbers of what is unmet."""
         bodies = [judge_agent(self.scene, layout, agent) for agent in self.scene.agents]
-        short = [name for body in bodies for name in body.short]
-        short += [f"door {door.number}" for body in bodies for door in body.navigation.shut_doors]
-        unmet = {s.number: s for s in self.program.statements if not s.relation.check(self.scene, layout).met}
-        return _Standing(frozenset(physics(self.scene, layout).reasons), frozenset(short), unmet)
+        short = {name for body in bodies for name in body.short}
+        short |= {f"door {door.number}" for body in bodies for door in body.navigation.shut_doors}
+        unmet = {s.number for s in self.program.statements if not s.relation.check(self.scene, layout).met}
+        return set(physics(self.scene, layout).reasons), short, unmet

@@ -7,10 +7,10 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 from robolayout._errors import ModelError, ProgramError
-from robolayout.planners import Critic, Feedback, Judgement, PlanRequest, Score, score_samples
-from robolayout.program import Guess, Program, read_salvaged
-from robolayout.run.attempt import Attempt, joined_traces
+from robolayout.planners import Critic, Feedback, Judgement, PlanRequest, score_samples
+from robolayout.program import Program, read_salvaged
 from robolayout.run.given import guesses_of
+from robolayout.run.result import Attempt, joined_traces
 from robolayout.run.sight import finished_pictures, room_pictures
 from robolayout.verify import Report, verify
 
@@ -77,8 +77,9 @@ class CriticPass:
             return room, replace(said, outcome=f"{said.outcome}; its program could not be read ({why}).")
         found = replace(self._solved(asked, room), asked=asked)
         after = self._verified(found)
-        worse = _worse(*score_samples([report.figures, after.figures], [room.asked, asked]))
-        if worse:
+        old, new = (score.key for score in score_samples([report.figures, after.figures], [room.asked, asked]))
+        names = ("the hard demands", "reach and use", "the statements met")
+        if worse := next((name for name, was, now in zip(names, old, new, strict=False) if now < was), ""):
             return room, replace(said, outcome=f"{said.outcome}; its amendment made {worse} worse and was dropped.")
         try:
             second = self._rating(found, after).score
@@ -116,18 +117,14 @@ class CriticPass:
 
     def _solved(self, asked: Program, room: Attempt) -> Attempt:
         """Solve the amendment with everything pinned that it says nothing new about; if that does not do, without pins."""
-        asked = replace(asked, guesses=self._guesses(asked, room))
+        elsewhere = dict(item for item in asked.guesses.items() if item not in room.asked.guesses.items())
+        asked = replace(asked, guesses=guesses_of(room.solution.layout) | elsewhere)
         pinned = {name: room.solution.layout[name] for name in _unchanged(room.asked, asked, room)}
         (found,) = self.whole.finished([asked], self.whole.scene, pinned)
         if found.solution.verdict.ok or not pinned:
             return found
         (free,) = self.whole.finished([asked], self.whole.scene, {})
         return min((found, free), key=lambda attempt: attempt.solution.verdict.merit)
-
-    def _guesses(self, asked: Program, room: Attempt) -> dict[str, Guess]:
-        """Return where things start from: where they stand, except what the amendment puts elsewhere."""
-        elsewhere = dict(item for item in asked.guesses.items() if item not in room.asked.guesses.items())
-        return guesses_of(room.solution.layout) | elsewhere
 
 
 def summary(report: Report) -> str:
@@ -145,10 +142,3 @@ def _unchanged(before: Program, after: Program, room: Attempt) -> list[str]:
         changed |= {name for s in one.statements if s.relation not in said for name in s.relation.asset_names()}
     here = guesses_of(room.solution.layout).items()
     return [name for name, guess in here if name not in changed and after.guesses.get(name) == guess]
-
-
-def _worse(before: Score, after: Score) -> str:
-    """Return the first figure that has become worse; empty if none has."""
-    names = ("the hard demands", "reach and use", "the statements met")
-    pairs = zip(names, before.key, after.key, strict=False)
-    return next((name for name, old, new in pairs if new < old), "")

@@ -111,8 +111,7 @@ def _metres(start: Pose, end: Pose) -> float:
 
 def _figures(before: Report, after: Report) -> Iterator[Change]:
     """Yield the figures of the reports that differ."""
-    shown = ({name: text for name, (_, text, _) in zip(r.figures, r.rows(), strict=True)} for r in (before, after))
-    old_text, new_text = shown
+    old_text, new_text = (dict(zip(r.figures, (row[1] for row in r.rows()), strict=True)) for r in (before, after))
     for name, value in after.figures.items():
         gain = float(value) - float(before.figures.get(name, value))
         if abs(gain) >= DIFF.changed:

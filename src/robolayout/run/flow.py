@@ -13,24 +13,23 @@ from robolayout._errors import SceneError
 from robolayout.floor import FLOOR, cell_size
 from robolayout.planners import Critic, Group, GroupPlanner, OfflinePlanner, Planner, PlanRequest
 from robolayout.program import Program, Reconciled, read_program, reconcile
-from robolayout.run.attempt import Attempt, Clock, Progress
-from robolayout.run.dressing import dressed
 from robolayout.run.given import as_scene, as_start, guesses_of, pinned_poses, supported
-from robolayout.run.result import Result
+from robolayout.run.result import Attempt, Clock, Progress, Result
 from robolayout.run.verdict import make_judge
-from robolayout.scene import Agent, Layout, Pose, Scene
+from robolayout.scene import DRESSINGS, Agent, Layout, Pose, Scene
 from robolayout.solve import (
     PAPER,
     UNREFINED,
     Solution,
     SolverConfig,
     compile_problem,
+    dress,
     silent,
     solve_samples,
     solve_with,
     warm_up,
 )
-from robolayout.verify import AgentSpec, Report, overfull, verify
+from robolayout.verify import AgentSpec, Report, overfull, physics, verify
 from robolayout.words import Wishes, read_words
 
 
@@ -179,9 +178,8 @@ class Run:
         if attempts == 1 or self.solver != "default":
             return best
         with self.clock.station("solve"):
-            asked, found = best.reconciled.program, best.solution
-            found = _opened(self.scene, asked, found, seed=seed, config=self.config, progress=self.say)
-            return replace(best, solution=found)
+            given: dict[str, Any] = {"seed": seed, "config": self.config, "progress": self.say}
+            return replace(best, solution=_opened(self.scene, best.reconciled.program, best.solution, **given))
 
     def edited(self, planner: Planner, program: str | None, start: Layout, pinned: Mapping[str, Pose]) -> Attempt:
         """Mend a layout with the least change; what it does not place is planned and fitted in."""
@@ -382,15 +380,29 @@ def solve_many(
 
     The arguments are those of `solve`; `known` are its `pinned` and `built`.
     """
+    given: dict[str, Any] = {"seed": seed, "config": config, "progress": progress}
     if solver != "default" or len(programs) == 1:
-        given: dict[str, Any] = {"seed": seed, "solver": solver, "config": config, "progress": progress}
-        given |= {"ways": ways, **known}
-        return [solve(scene, program, **given) for program in programs]
+        return [solve(scene, program, solver=solver, ways=ways, **given, **known) for program in programs]
     problems = [compile_problem(scene, program, seed=seed, **known) for program in programs]
-    judges = [make_judge(scene, program) for program in programs]
-    return solve_samples(problems, judges, seed=seed, config=config, progress=progress)
+    return solve_samples(problems, [make_judge(scene, program) for program in programs], **given)
 
 
 def compare(scene: Scene, agents: tuple[Agent, ...], **options: Any) -> tuple[Result, ...]:
     """Lay out one scene for several bodies, one after the other."""
     return tuple(generate(replace(scene, agents=(agent,)), **options) for agent in agents)
+
+
+def dressed(result: Result, amount: str, *, seed: int) -> Result:
+    """Return a run's room with small things on its surfaces (`DRESSINGS`); what the judge does not pass is left out."""
+    clock, before = Clock(), result.layout
+    with clock.station("dress"):
+        found = dress(result.scene, before, amount, seed=seed)
+        astray = set(physics(found.scene, found.layout).failing) - set(before)
+    if not set(found.names) - astray:
+        return result
+    assets = tuple(asset for asset in found.scene.assets if asset.name not in astray)
+    layout = Layout({name: pose for name, pose in found.layout.items() if name not in astray})
+    scene = replace(found.scene, assets=assets, dress=DRESSINGS[0])  # it is done
+    new = verify(scene, layout)
+    report = replace(result.report, scene=scene, layout=layout, physics=new.physics, agents=new.agents)
+    return replace(result, scene=scene, layout=layout, report=report.with_timing(clock.seconds))

@@ -20,6 +20,7 @@ from collections.abc import Generator, Iterable, Iterator, Sequence
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass, field
 from pathlib import Path, PurePosixPath
+from typing import Any
 
 from robolayout._errors import OutputError
 from robolayout._files import check_writable, exchange, locked, write_atomic
@@ -69,7 +70,8 @@ def open_folder(target: Path) -> Generator[RunFolder]:
             try:
                 yield run
                 with _as_output_error(target):
-                    _seal(run.path)
+                    names = sorted(p.relative_to(run.path).as_posix() for p in run.path.rglob("*") if p.is_file())
+                    write_atomic(run.path / RUN, pretty({"robolayout": __version__, "files": names}))
                     run.kept = _fill(run.path, home) if inside else _replace(run.path, home)
             finally:
                 run.answers = _saved(run.path / ANSWERS, home)
@@ -113,16 +115,9 @@ def _hidden(home: Path, kind: str, *, inside: bool) -> Path:
     return home.with_name(f".{name}.{kind}")
 
 
-def _seal(folder: Path) -> None:
-    """Write the list of a run's files."""
-    names = sorted(path.relative_to(folder).as_posix() for path in folder.rglob("*") if path.is_file())
-    content = {"robolayout": __version__, "files": names}
-    write_atomic(folder / RUN, pretty(content))
-
-
 def _saved(answers: Path, home: Path) -> Path | None:
     """Put a failed run's answers beside the folder that they were for, and return where they are."""
-    if not any(map(_answered, answers.glob("*.json"))):
+    if not any(_said(exchange, "answer") for exchange in answers.glob("*.json")):  # only why there is none
         return None
     folder = home.parent if _is_free(home.parent) else home
     with suppress(OSError):
@@ -130,12 +125,12 @@ def _saved(answers: Path, home: Path) -> Path | None:
     return None
 
 
-def _answered(exchange: Path) -> bool:
-    """Return whether a recorded exchange holds an answer, not only why there is none."""
+def _said(file: Path, key: str) -> Any:
+    """Return what one of our own JSON files says; None where it cannot be read."""
     try:
-        return bool(json.loads(exchange.read_bytes())["answer"])
+        return json.loads(file.read_bytes())[key]
     except (OSError, ValueError, KeyError, TypeError, RecursionError):
-        return False
+        return None
 
 
 def _recover(home: Path) -> None:
@@ -153,11 +148,10 @@ def _recover(home: Path) -> None:
 
 def _own(folder: Path) -> list[str]:
     """Return the files of the run that a folder holds, claims first and the list itself last; none if it holds none."""
-    try:
-        names = [str(name) for name in json.loads((folder / RUN).read_bytes())["files"]]
-    except (OSError, ValueError, KeyError, TypeError, RecursionError):
+    names = _said(folder / RUN, "files")
+    if not isinstance(names, list):
         return []
-    paths = [PurePosixPath(name) for name in names if name != RUN]
+    paths = [PurePosixPath(str(name)) for name in names if name != RUN]
     safe = [path.as_posix() for path in paths if not path.is_absolute() and ".." not in path.parts]
     return [*sorted(safe, key=lambda name: (not name.startswith(CLAIM), name)), RUN]
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 from robolayout._errors import AnswerError, ModelError, ProgramError, UnavailableError
@@ -17,9 +17,9 @@ from robolayout._text import printable
 from robolayout.planners import USELESS, Feedback, Group, GroupPlanner, OfflinePlanner, PlanRequest
 from robolayout.program import Guess, Program, Statement, read_program, read_salvaged
 from robolayout.run.answers import Candidate, Question, Sample
-from robolayout.run.attempt import Attempt, joined_traces
 from robolayout.run.diff import without_figures
 from robolayout.run.given import guesses_of
+from robolayout.run.result import Attempt, joined_traces
 from robolayout.run.sight import failed_picture, room_pictures
 from robolayout.scene import Layout, Scene, Trace
 from robolayout.verify import Report, verify
@@ -28,26 +28,7 @@ if TYPE_CHECKING:
     from robolayout.run.flow import Run
 
 
-@dataclass(frozen=True)
-class _Standing:
-    """What stands when a group is planned: the room so far, the group's own program, its answers, and what is told of it."""
-
-    attempt: Attempt
-    part: Program
-    report: Report
-    text: str
-    samples: tuple[Sample, ...]
-    left_out: tuple[str, ...] = ()
-
-
-@dataclass(frozen=True)
-class _Reopen:
-    """A group's wish that an earlier one be planned again."""
-
-    label: str
-    why: str
-    text: str
-    samples: tuple[Sample, ...]
+Stand = tuple[Question, Candidate]  # a group that is planned: what was asked, in which room, and what was kept
 
 
 class GroupedRun:
@@ -70,26 +51,29 @@ class GroupedRun:
 
         Return the whole program with its solution, the groups as they were planned, and what the report says of it.
         """
-        stands: list[_Standing] = []
+        stands: list[Stand] = []
         self._answered = len(groups) > 1
         while len(stands) < len(groups):
-            group = groups[len(stands)]
-            found = self._group(self._question(groups[: len(stands) + 1], stands))
-            if isinstance(found, _Reopen):
-                self._reopen(groups, stands, group.label, found)
+            question = self._question(groups[: len(stands) + 1], stands)
+            planned = self._group(question)
+            self.samples += question.records()
+            if isinstance(planned, Candidate):
+                stands.append((question, planned))
             else:
-                self.samples += found.samples
-                stands.append(found)
-        best, traces = stands[-1].attempt, [standing.attempt.solution.trace for standing in stands]
+                self._reopen(groups, stands, *planned)
+        best, traces = stands[-1][1].attempt, [one.attempt.solution.trace for _, one in stands]
         if not best.solution.verdict.ok and (len(groups) > 1 or self.planner.samples > 1):
             best = self._once_more(best, traces, alone=len(groups) == 1)
         if len(groups) > 1 or self.planner.mode == "no_constraint":
-            best = self._joint(best, [(g, s.part) for g, s in zip(groups, stands, strict=True)], traces)
+            said = [(question, one.attempt.asked) for question, one in stands]
+            whole = joined([(q.group, replace(p, statements=p.statements[len(q.before) :])) for q, p in said])
+            found = replace(best.solution, trace=joined_traces(traces))
+            best = Attempt(whole, self.whole.filtered(whole, self.scene), found)
         other = " Planned by the offline planner in place of the model."
         done = tuple(replace(g, rationale=g.rationale + other * (g.label in self._taken_over)) for g in groups)
         return best, done, self._told(stands)
 
-    def _told(self, stands: Sequence[_Standing]) -> dict[str, Any]:
+    def _told(self, stands: Sequence[Stand]) -> dict[str, Any]:
         """Return what the report says: what was taken over, and all of it in sentences."""
         readable = sum(sample.score is not None for sample in self.samples)
         sentences = [
@@ -97,39 +81,35 @@ class GroupedRun:
             *(f"The offline planner took over group {label!r}: {why}" for label, why in self._taken_over.items()),
             *(f"Group {label!r} was not asked for again: {why}" for label, why in self._given_up.items()),
             *(f"Group {label!r} was planned again: {why}" for label, why in self._reopened.items()),
-            *(sentence for standing in stands for sentence in standing.left_out),
+            *(sentence for _, one in stands for sentence in one.left_out()),
         ]
         return {"taken_over": self._taken_over, "given_up": self._given_up, "sentences": sentences}
 
-    def _question(self, groups: tuple[Group, ...], stands: list[_Standing]) -> Question:
+    def _question(self, groups: tuple[Group, ...], stands: list[Stand]) -> Question:
         """Return the question for the last of the groups, in the room as the earlier ones left it."""
         names = {name for group in groups for name in group.items}
         here = replace(self.scene, assets=tuple(asset for asset in self.scene.assets if asset.name in names))
         if not stands:
             return Question(here, groups[-1], {}, ())
-        last = stands[-1]
+        last = stands[-1][1]
         known = frozenset(map(without_figures, last.report.violations))
         earlier = tuple(group.label for group in groups[:-1] if group.label not in self._reopened)
         placed, before = dict(last.attempt.solution.layout), last.attempt.asked.statements
         return Question(here, groups[-1], placed, before, known, earlier)
 
-    def _reopen(self, groups: tuple[Group, ...], stands: list[_Standing], asking: str, wish: _Reopen) -> None:
+    def _reopen(self, groups: tuple[Group, ...], stands: list[Stand], wanted: str, why: str, text: str) -> None:
         """Go back to before an earlier group; what was said of the groups after it is tried again before they are asked."""
-        first = next(i for i, group in enumerate(groups) if group.label == wish.label)
-        self._reopened[wish.label] = f"group {asking!r}, which comes later, asks for it: {wish.why}"
-        self._said |= {group.label: s.text for group, s in zip(groups, stands, strict=False) if s.text}
-        self._said[asking] = wish.text
+        first = next(i for i, group in enumerate(groups) if group.label == wanted)
+        asking = groups[len(stands)].label
+        self._reopened[wanted] = f"group {asking!r}, which comes later, asks for it: {why}"
+        self._said |= {question.group.label: one.sample.text for question, one in stands if one.sample.text}
+        self._said[asking] = text
         again = {group.label for group in groups[first:]}
-        self.samples = [replace(s, kept=s.kept and s.group not in again) for s in (*self.samples, *wish.samples)]
+        self.samples = [replace(s, kept=s.kept and s.group not in again) for s in self.samples]
         for label in again:
             self._taken_over.pop(label, None)
             self._given_up.pop(label, None)
         del stands[first:]
-
-    def _joint(self, last: Attempt, parts: list[tuple[Group, Program]], traces: list[Trace]) -> Attempt:
-        """Return the whole program, in plain statements, with its layout."""
-        whole, found = joined(parts), replace(last.solution, trace=joined_traces(traces))
-        return Attempt(whole, self.whole.filtered(whole, self.scene), found)
 
     def _once_more(self, last: Attempt, traces: list[Trace], *, alone: bool) -> Attempt:
         """Return the same program solved once more by itself, if that is better."""
@@ -141,15 +121,20 @@ class GroupedRun:
                 return replace(last, solution=replace(again.solution, trace=joined_traces(traces)))
         return last
 
-    def _group(self, question: Question) -> _Standing | _Reopen:
-        """Ask for one group, tell what was wrong, and ask again; the offline planner takes over if nothing is usable."""
+    def _group(self, question: Question) -> Candidate | tuple[str, str, str]:
+        """Ask for one group, tell what was wrong, and ask again; the offline planner takes over if nothing is usable.
+
+        Where it wishes that an earlier group be planned again, return that one's label, why, and its own program.
+        """
         label, failure = question.group.label, ""
         self.whole.prepare(question.here)
         feedback, said = self._reopened.get(label, ""), self._said.pop(label, "")
         previous = said
         if said and not feedback:  # it was said before an earlier group was planned again, and may still do
             feedback, previous = self._try(question, [said], self._tries[label])
-        question.images = self._pictures(question)
+        with self.clock.station("pictures"):
+            new, drawn = question.group.items, self.planner.pictures
+            question.images = room_pictures(question.here, Layout(question.placed), new, drawn)
         for _ in range(1 + self.planner.retries):
             if (best := question.best()) and best.done:
                 break
@@ -166,26 +151,24 @@ class GroupedRun:
             feedback, previous = self._try(question, answer, self._tries[label])
             best, wish = question.best(), question.reopening(answer)
             if wish is not None and not (best and best.done):
-                return _Reopen(*wish, tuple(question.records()))
+                return wish
         if question.best() is None and said:
             self._try(question, [said], self._tries[label])
-        return self._standing(question, failure)
+        return self._kept(question, failure)
 
-    def _standing(self, question: Question, failure: str) -> _Standing:
+    def _kept(self, question: Question, failure: str) -> Candidate:
         """Return the best of the answers to a question, or what the offline planner makes of the group."""
-        best, label, samples = question.best(), question.group.label, tuple(question.records())
-        start = len(question.before)
-        if best is None:
-            self._taken_over[label] = failure or "none of its programs could be read."
-            attempt = self._offline(question)
-            report = self._judged(question, attempt)
-            part = replace(attempt.asked, statements=attempt.asked.statements[start:])
-            return _Standing(attempt, part, report, "", samples)
-        if failure:
-            self._given_up[label] = failure
-        asked = best.attempt.asked
-        part = replace(asked, statements=asked.statements[start:])
-        return _Standing(best.attempt, part, best.report, best.sample.text, samples, tuple(best.left_out()))
+        label, best = question.group.label, question.best()
+        if best is not None:
+            self._given_up |= {label: failure} if failure else {}
+            return best
+        self._taken_over[label] = failure or "none of its programs could be read."
+        placed = Layout(question.placed)
+        request = PlanRequest(self.scene, question.group, placed, seed=self.whole.seed, asked=self.wishes.demands)
+        read = read_program(OfflinePlanner().plan(request), self.scene)
+        asked = about(read, question.group, question.here, question.before)
+        (attempt,) = self.whole.finished([asked], question.here, question.placed)
+        return Candidate(Sample(label, 0, 0, ""), attempt, self._judged(question, attempt))
 
     def _asked(self, question: Question, feedback: str, previous: str) -> tuple[str, ...] | ModelError:
         """Ask for programs once; the failure if none came."""
@@ -207,14 +190,6 @@ class GroupedRun:
                 return self.planner.plan_many(request, self.planner.samples)
         except ModelError as error:
             return error
-
-    def _offline(self, question: Question) -> Attempt:
-        """Plan a group by rules."""
-        placed = Layout(question.placed)
-        request = PlanRequest(self.scene, question.group, placed, seed=self.whole.seed, asked=self.wishes.demands)
-        read = read_program(OfflinePlanner().plan(request), self.scene)
-        asked = about(read, question.group, question.here, question.before)
-        return self.whole.finished([asked], question.here, question.placed)[0]
 
     def _try(self, question: Question, texts: Sequence[str], attempt: int) -> tuple[str, str]:
         """Solve and verify the answers that can be read, together; return what to tell of them, and the program it is about."""
@@ -244,7 +219,10 @@ class GroupedRun:
         if best is None or best.done:
             return wrong
         if self.planner.pictures != "none":
-            question.images = {**question.images, "failed": self._failed(question, best)}
+            drawn, mine = self.planner.pictures == "drawn", set(question.group.items)
+            with self.clock.station("pictures"):
+                failed = failed_picture(best.report, best.attempt.asked, mine) if drawn else b""
+            question.images = {**question.images, "failed": failed}
         return best.feedback(question), best.previous
 
     def _candidate(self, question: Question, sample: Sample, read: Program, attempt: Attempt) -> Candidate:
@@ -273,18 +251,6 @@ class GroupedRun:
             rows = self.wishes.judged(self.scene, layout)
         return replace(report, asked=tuple(row for row in rows if row.kind == "relation"))
 
-    def _pictures(self, question: Question) -> dict[str, bytes]:
-        """Return the room as it stands and one picture per new kind of thing, as the planner sees them."""
-        drawn = self.planner.pictures
-        with self.clock.station("pictures"):
-            return room_pictures(question.here, Layout(question.placed), question.group.items, drawn)
-
-    def _failed(self, question: Question, found: Candidate) -> bytes:
-        """Return the picture of what came of a program."""
-        drawn = self.planner.pictures == "drawn"
-        with self.clock.station("pictures"):
-            return failed_picture(found.report, found.attempt.asked, set(question.group.items)) if drawn else b""
-
 
 def about(program: Program, group: Group, here: Scene, before: tuple[Statement, ...]) -> Program:
     """Return what a program says about a group and things already there, after the earlier groups' statements."""
@@ -298,12 +264,10 @@ def about(program: Program, group: Group, here: Scene, before: tuple[Statement, 
 
 def joined(parts: Sequence[tuple[Group, Program]]) -> Program:
     """Return one program that says what the groups' programs say, in plain statements under a heading for each group."""
-    lines: list[str] = []
-    statements, wishes = list[Statement](), list[Statement]()
+    lines, statements, wishes = list[str](), list[Statement](), list[Statement]()
     guesses: dict[str, Guess] = {}
     for group, part in parts:
-        heading = printable(f"{group.label}: {group.rationale}")
-        lines.append(f"# {heading.strip(': ')}")
+        lines.append(f"# {printable(f'{group.label}: {group.rationale}').strip(': ')}")
         lines += part.to_text().splitlines()
         own = (*part.statements, *part.wishes)
         for line, statement in enumerate(own, len(lines) - len(own) + 1):

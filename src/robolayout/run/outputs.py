@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from robolayout._files import write_atomic
 from robolayout._text import file_name, pretty
@@ -24,13 +23,11 @@ from robolayout.render import (
     png_bytes,
     progress_gif,
 )
+from robolayout.run.diff import Difference
 from robolayout.run.folder import RunFolder, open_folder
+from robolayout.run.result import Result
 from robolayout.scene import scene_to_dict
 from robolayout.verify import Report
-
-if TYPE_CHECKING:
-    from robolayout.run.diff import Difference
-    from robolayout.run.result import Result
 
 PICTURE_SIZE = 900  # pixels of a side of `top.png` and `view.png`
 

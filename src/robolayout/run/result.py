@@ -1,15 +1,17 @@
-"""A layout with everything that is known of it: what a run made, or what somebody else made, judged."""
+"""A layout with everything that is known of it: what a run made, or what somebody else made, judged; and a run's clock."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import time
+from collections.abc import Callable, Generator, Iterable, Mapping
+from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from robolayout._errors import InputError, ModelError
 from robolayout.program import Program, Reconciled, read_program, reconcile
-from robolayout.scene import Layout, Scene, Trace, load_layout
+from robolayout.scene import Layout, Scene, Snapshot, Trace, load_layout
 from robolayout.verify import Report, verify
 from robolayout.words import read_words
 
@@ -18,8 +20,46 @@ if TYPE_CHECKING:
     from robolayout.run.answers import Sample
     from robolayout.solve import Solution
 
+Progress = Callable[[str], None]  # told the name of each phase as it begins
 SOUND = {"CF": 100.0, "IB": 100.0}
 """Percent of the things that overlap nothing, and that are inside the room, in a plausible room (LayoutVLM's rule)."""
+
+
+@dataclass(frozen=True)
+class Attempt:
+    """One program and what came of it."""
+
+    asked: Program  # the program as the planner wrote it
+    reconciled: Reconciled  # the same after the filter
+    solution: Solution  # what the solver made of it
+
+
+def joined_traces(traces: Iterable[Trace]) -> Trace:
+    """Return the record of searches that followed each other."""
+    losses: list[Mapping[str, float]] = []
+    snapshots: list[Snapshot] = []
+    for trace in traces:
+        snapshots += [replace(snapshot, step=snapshot.step + len(losses)) for snapshot in trace.snapshots]
+        losses += trace.losses
+    return Trace(tuple(losses), tuple(snapshots))
+
+
+class Clock:
+    """Collects wall and CPU seconds by station."""
+
+    def __init__(self) -> None:
+        self.seconds: dict[str, dict[str, float]] = {}
+
+    @contextmanager
+    def station(self, name: str) -> Generator[None]:
+        """Add the seconds of a block to a station."""
+        wall, cpu = time.perf_counter(), time.process_time()
+        try:
+            yield
+        finally:
+            spent = self.seconds.setdefault(name, {"wall": 0.0, "cpu": 0.0})
+            spent["wall"] += time.perf_counter() - wall
+            spent["cpu"] += time.process_time() - cpu
 
 
 @dataclass(frozen=True)

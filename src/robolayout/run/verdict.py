@@ -58,21 +58,16 @@ def make_judge(scene: Scene, program: Program) -> Judge:
     return judge
 
 
-class _Read(Mapping[str, Pose]):
+class _Read(dict[str, Pose]):
     """The poses of a layout, and which of them somebody looked at; None where there was none."""
 
     def __init__(self, poses: Mapping[str, Pose]) -> None:
-        self.poses, self.read = poses, dict[str, Pose | None]()
+        super().__init__(poses)
+        self.read = dict[str, Pose | None]()
 
     def __getitem__(self, name: str) -> Pose:
-        self.read[name] = self.poses.get(name)
-        return self.poses[name]
-
-    def __iter__(self) -> Iterator[str]:
-        return iter(self.poses)
-
-    def __len__(self) -> int:
-        return len(self.poses)
+        self.read[name] = self.get(name)
+        return super().__getitem__(name)
 
 
 @dataclass
