@@ -124,6 +124,20 @@ def test_a_thing_stands_where_what_lies_under_it_or_hangs_over_it_is_asked_to_be
     assert all(statement.met for statement in report.statements), report.statements
 
 
+def test_what_stands_beside_a_follower_is_not_put_into_its_leader() -> None:
+    """The lamp at the inner side of the second of two armchairs stood in the first."""
+    chairs = tuple(Asset(f"armchair-{i}", "armchair", (0.83, 0.8, 0.85)) for i in range(2))
+    table, lamp = (
+        Asset("side_table-0", "side table", (0.4, 0.48, 0.5)),
+        Asset("floor_lamp-0", "floor lamp", (0.4, 0.4, 1.5)),
+    )
+    scene = Scene(ROOM, (*chairs, table, lamp))
+    beside = 'solver.next_to({0}[{1}], armchair[{2}], "beside", 0.5)'
+    text = "\n".join(beside.format(*one) for one in (("armchair", 0, 1), ("side_table", 0, 0), ("floor_lamp", 0, 0)))
+    program = read_program(text, scene)
+    assert verify(scene, compile_problem(scene, program).guess, program).physics.failing == ()
+
+
 def test_what_misses_what_is_said_of_it_is_placed_first_in_the_next_attempt() -> None:
     text = "A nursery of 3.6 x 3.8 m with a crib, a rocking chair in the corner next to a small bookcase and a changing table"
     scene, _ = scene_from_sentence(text)

@@ -45,7 +45,7 @@ def counted() -> Iterator[dict[str, int]]:
     real = programs.call
 
     def call(target: str, local: Any, arrays: Any, routes: Any, schedule: Any, *rest: Any, **constants: Any) -> Any:
-        found["steps"] += int(schedule.steps) * int(np.prod(local.shape[:-2]))
+        found["steps"] += int(schedule[0]) * int(np.prod(local.shape[:-2]))
         found[target] = found.get(target, 0) + 1
         return real(target, local, arrays, routes, schedule, *rest, **constants)
 

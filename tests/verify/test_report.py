@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any
@@ -11,6 +12,7 @@ import pytest
 from verify_rooms import DISC, furnished, on_floor, square, thing
 
 from robolayout.constraints import RELATIONS, AssetRef, WallRef
+from robolayout.program import read_program
 from robolayout.scene import Layout, Scene, layout_digest, scene_digest
 from robolayout.verify import Demands, Report, verify
 
@@ -103,6 +105,18 @@ def test_a_statement_is_judged_as_asked():
     assert not report.ok
     assert report.unmet == ("statements_met_share",)
     assert report.violations[0].startswith("against_wall(bookshelf-0, walls[1]) is not met: ")
+
+
+def test_a_pose_that_is_no_number_counts_as_none():
+    other = replace(SHELF, name="bookshelf-1")
+    scene, layout = furnished(
+        square(), (SHELF, on_floor(SHELF, 0.15, 2.5)), (other, on_floor(other, 0.15, 1.0)), agents=(ARM,)
+    )
+    nowhere = Layout({**layout, "bookshelf-1": replace(layout["bookshelf-1"], x=math.nan)})
+    program = read_program("solver.wish.snug(bookshelf[0])\nsolver.against_wall(bookshelf[1], walls[3])", scene)
+    report = verify(scene, nowhere, program)
+    assert report.statements[0].text == "bookshelf-1 not placed"
+    assert json.dumps(report.to_dict(), allow_nan=False)
 
 
 def test_a_statement_about_something_unplaced_is_not_met():

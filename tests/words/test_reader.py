@@ -513,3 +513,10 @@ def test_any_text_is_read_or_refused(text: str) -> None:
         assert str(error)
     else:
         assert all(0 <= chunk.start < chunk.end <= len(reading.words) for chunk in reading.parsed.missed)
+
+
+def test_any_text_at_all_is_read() -> None:
+    """A number of nothing in particular, with no relation before it, was an IndexError."""
+    assert things(
+        "The floor is left to walk on while a room is built, against a flood from every cell and a look at every place."
+    )

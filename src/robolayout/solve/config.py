@@ -43,6 +43,8 @@ class Effort:
     lost: tuple[float, float] = (0.6, 0.8)
     # the same share once the ways are opened, and share of the statements that do not hold after mending
     blind: float = 0.25
+    # hard demands and access that a room which is built lacks, up to which what is to blame is mended before gradients move the rest
+    few: float = 3.0
     nearby: int = 30  # things that are tried elsewhere near their guess, at most; none leaves it out
     # of the tries of one thing, so many are judged as they are; at most four of them are polished, too
     looked_at: int = 6

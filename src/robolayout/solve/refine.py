@@ -130,6 +130,10 @@ class Solver:
         self._try([push])
         if self.number and not self._blamed(self.number):
             return
+        if not self.problem.guessed and self.verdict.broken <= self.effort.few:
+            self._near()
+            if self.verdict.ok:
+                return
         run = self._polished(stage, push)
         off = self.problem.moved(self.world) / len(stage.moving) if self.problem.guessed else math.inf
         unmet = self.verdict.soft / max(len(self.problem.relations), 1)

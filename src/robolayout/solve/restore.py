@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from itertools import product
 
 import numpy as np
@@ -26,14 +26,29 @@ GAIN = 0.01
 """Metres (`Problem.away`) that putting a thing back must be worth."""
 
 
+Way = tuple[float, float, bool]
+"""How a thing goes back: how much of the way along its front and across it, and whether it also turns back."""
+
+WAYS: tuple[Way, ...] = (
+    (1.0, 1.0, True),
+    (1.0, 1.0, False),
+    (1.0, 0.0, False),
+    (0.0, 1.0, False),
+    (0.7, 0.7, False),
+    (0.4, 0.4, False),
+    (0.0, 0.0, True),
+)
+"""The ways in which single things go back, the first that is no worse counts."""
+
+
 def restored(problem: Problem, world: Floats, no_worse: Callable[[Floats], bool], trials: int) -> Floats:
     """Return poses (n, 4) with as much as possible where the program's guess has it, or where the room was built.
 
     Everything that moved is put back at once, else half of it, and so on down to single things with what stands on them
     and what goes by them (a desk with its chair), so that a row that had to give way in one place stays a row elsewhere. Then
-    single things go back, the farthest first: whole, else along one of their axes, else a part of the way.
+    single things go back, the farthest first: whole, else along one of their axes, else a part of the way; and once more whole.
 
-    At most `trials` layouts are asked about while groups are put back, and seven for each thing alone. `no_worse` says of
+    At most `trials` layouts are asked about while groups are put back, and eight for each thing alone. `no_worse` says of
     poses whether they are no worse than those kept so far.
     """
     target = problem.start
@@ -53,8 +68,9 @@ def restored(problem: Problem, world: Floats, no_worse: Callable[[Floats], bool]
             half = len(chunk) // 2
             waiting += [chunk[half:], chunk[:half]]
     slots = [slot for unit in units for slot in unit]
-    for slot in sorted(slots, key=lambda slot: -float(np.hypot(*(world - target)[slot, :2]))):
-        world = _nearer(problem, world, slot, no_worse)
+    for ways in (WAYS, WAYS[:1]):  # what went back late may leave room to what could not go before
+        for slot in sorted(slots, key=lambda slot: -float(np.hypot(*(world - target)[slot, :2]))):
+            world = _nearer(problem, world, slot, ways, no_worse)
     return world
 
 
@@ -89,14 +105,15 @@ def squared(problem: Problem, world: Floats, no_worse: Callable[[Floats], bool])
     return world
 
 
-def _nearer(problem: Problem, world: Floats, slot: int, no_worse: Callable[[Floats], bool]) -> Floats:
-    """Return poses (n, 4) with one thing, and what stands on it, as far back as it may go in one go."""
+def _nearer(
+    problem: Problem, world: Floats, slot: int, ways: Sequence[Way], no_worse: Callable[[Floats], bool]
+) -> Floats:
+    """Return poses (n, 4) with one thing, and what stands on it, as far back as it may go in one go, in the first of some ways."""
     here, there = world[slot], problem.start[slot]
     off = relative(here, there)
-    parts = ((1.0, 1.0), (1.0, 0.0), (0.0, 1.0), (0.7, 0.7), (0.4, 0.4))
     least = problem.away(world) - GAIN
-    for (along, across), heading in (((1.0, 1.0), there), *((part, here) for part in parts), ((0.0, 0.0), there)):
-        trial = world.copy()
+    for along, across, turned in ways:
+        trial, heading = world.copy(), there if turned else here
         pose = compose(here, np.array([along * off[0], across * off[1], 1.0, 0.0]))
         carry(problem, trial, slot, np.concatenate([pose[:2], heading[2:]]))
         if problem.away(trial) < least and no_worse(trial):

@@ -270,26 +270,26 @@ def verify(
 
     Args:
         scene: What was given.
-        layout: Poses; assets without one fail every share.
+        layout: Poses; assets without one, or with one that is no number, fail every share.
         program: The statements as asked; None leaves semantics out.
         agent: One body or several: an `Agent`, names of profiles ("wheelchair,child_6"), a file, a mapping as in a
             scene file, or a list of those; the scene's own if None.
         demands: What the layout must achieve for `Report.ok`.
     """
     wall, cpu = time.perf_counter(), time.process_time()
-    placed = {name for name, pose in layout.items() if pose.is_finite}
+    layout = Layout({name: pose for name, pose in layout.items() if pose.is_finite})
     demands, bodies = demands or Demands(), scene.agents if agent is None else load_agents(agent)
     reports = tuple(judge_agent(scene, layout, body, demands) for body in bodies)
-    statements = () if program is None else tuple(_measure(scene, layout, s, placed) for s in program.statements)
+    statements = () if program is None else tuple(_measure(scene, layout, s) for s in program.statements)
     judged = physics(scene, layout)
     timing = {"verify": {"wall": time.perf_counter() - wall, "cpu": time.process_time() - cpu}}
     return Report(scene, layout, judged, reports, statements, demands, timing, program=program)
 
 
-def _measure(scene: Scene, layout: Layout, statement: Statement, placed: set[str]) -> StatementResult:
+def _measure(scene: Scene, layout: Layout, statement: Statement) -> StatementResult:
     """Measure one statement; it fails if one of its assets is unplaced."""
     relation = statement.relation
-    missing = [name for name in relation.asset_names() if name not in placed]
+    missing = [name for name in relation.asset_names() if name not in layout]
     unplaced = Outcome(False, math.nan, math.nan, "", f"{' and '.join(missing)} not placed")
     found = vars(unplaced if missing else relation.check(scene, layout))
     return StatementResult(

@@ -132,8 +132,8 @@ class Parser(Relating):
         each = each or any(chunk.det == "each" for chunk in self.chunks[index + 1 : index + 2])
         last = (self.group or self.before)[-1:]
         more = self.chunks[self.at - 2].kind == "and" and last == self.acted and last[:1] and last[0].pick is None
-        if more and last[0].thing.number and last[0].thing not in self.dealt:  # "two before it and one behind it"
-            k = self.said.links[-1]
+        if more and self.said.links and last[0].thing.number and last[0].thing not in self.dealt:
+            k = self.said.links[-1]  # "two before it and one behind it"
             self.dealt[last[0].thing] = last[0].thing.number
             own = Mention(last[0].thing, slice(0, last[0].thing.number))
             apart = k.subjects == tuple(last) and k.relation != "around"

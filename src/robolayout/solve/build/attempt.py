@@ -98,6 +98,7 @@ class Attempt:
     def __init__(self, site: Site, rng: np.random.Generator, *, calm: bool, first: Collection[str] = ()) -> None:
         self.base = site.copy()
         self.first = first
+        self.missed = set[str]()  # what stands where it misses what is said of it
         self.site = site
         self.rng = rng
         self.calm = calm
@@ -127,11 +128,6 @@ class Attempt:
     def serves(self) -> bool:
         """Whether everything is reached and used, and every door and drawer opens."""
         return _harm(self.site) < COSTS.unreached and all(step.cost < COSTS.shut for step in self.steps)
-
-    @property
-    def missed(self) -> set[str]:
-        """What stands where it misses what is said of it."""
-        return {step.cluster.anchor for step in self.steps if step.cluster is not None and step.cost >= MISSED}
 
     def _move_some(self) -> bool:
         """Take some clusters out and put each where it is less in the way; False if nothing gets better."""
@@ -278,6 +274,8 @@ class Attempt:
         if cost > COSTS.much and limit is None and "middle" not in modes:
             self.lost = before
             return self._place(cluster, {**modes, "middle": MISSED}, weights)
+        if self.site.missed(batch.cluster.members, batch.poses[[row]])[0] >= MISSED:
+            self.missed.add(cluster.anchor)
         step = _Step(partial(_put, batch=batch, row=row), cost, cluster, modes, weights)
         step.put(self.site)
         self.steps.append(step)

@@ -88,12 +88,22 @@ class ClusterBuilder:
                 reach[member.side] = max(reach[member.side], box[3], -box[1])
         found: list[Member] = []
         for item in items:
-            ax, ay = _half(item)
+            ax, _ = _half(item)
             side = item.joined.side or min(reach, key=lambda s: (round(reach[s], 6), s))
-            y = reach[side] + item.joined.gap + ay
-            reach[side] = y + ay
+            inner, outer = self._aside(item)[:: 1 if side == "left" else -1]
+            y = reach[side] + item.joined.gap + inner
+            reach[side] = y + outer
             found.append(Member(item.name, ax - bx, y if side == "left" else -y, item.joined.yaw or 0.0, side=side))
         return found
+
+    def _aside(self, item: Want) -> tuple[float, float]:
+        """Return metres from a thing's middle to the ends of what stands at its right and its left, it itself among that."""
+        _, half = _half(item)
+        if item.joined.yaw:
+            return half, half
+        own = (m for m in self._members(item.name) if m.bottom == 0.0 and not self.wants[m.name].asset.is_flat)
+        ends = [box_of(m, self.wants[m.name].asset.size) for m in own]
+        return max(-box[1] for box in ends), max(box[3] for box in ends)
 
     def _flank(self, anchor: Want, items: Sequence[Want], placed: Sequence[Member]) -> list[Member]:
         """Left and right of the anchor, looking at it; further ones beside the first."""
