@@ -280,14 +280,17 @@ class _Rows:
         to = " and ".join(as_row.shown(item) for item in link.objects)
         things = tuple(name for item in mentions(link.objects) for name in self.names.get(item.thing, ()))
         room = self.scene.room
-        places = [openings(room, item.name) for item in link.objects if place_in([item], "door", "window")]
+        there = (place_in([item], "door", "window") for item in link.objects)
+        places = [openings(room, place.name) for place in there if place is not None]
         if not things and not any(places):
             return as_row.unread(f"{words} {to}".strip(), "nothing that a way can lead to")
 
         def judge(furnished: Furnished) -> Finding:
             if furnished.walked is None:
                 return "not judged", ""
-            ends = [[footprint(furnished.scene, furnished.layout, AssetRef(name))] for name in things]
+            ends: list[list[BaseGeometry]] = [
+                [footprint(furnished.scene, furnished.layout, AssetRef(name))] for name in things
+            ]
             for found in filter(None, places):
                 sills = (
                     (room.walls[o.wall].point(o.offset), room.walls[o.wall].point(o.offset + o.width)) for o in found
