@@ -339,6 +339,8 @@ def test_counts(text: str, counts: dict[str, int]) -> None:
         ("Two sofas on opposite sides of a coffee table", {("flank", "sofa", "coffee table")}),
         ("Three tables with two chairs at opposite ends of each table", {("flank", "chair", "dining table")}),
         ("A sofa and a desk on opposite sides of the room", {("on", "sofa", "side"), ("on", "desk", "side")}),
+        ("A vanity table with a stool opposite the bed", {("opposite", "vanity table", "bed"), ("with", "stool", "vanity table")}),
+        ("A coffee table with two armchairs opposite the sofa", {("opposite", "armchair", "sofa"), ("with", "armchair", "coffee table")}),
         ("A table with two chairs on a rug", {("on", "dining table", "rug"), ("with", "chair", "dining table")}),
         ("A sofa with a coffee table on a rug", {("on", "coffee table", "rug")}),
         ("A table with six chairs under a pendant lamp", {("under", "dining table", "pendant lamp"), ("with", "chair", "dining table")}),

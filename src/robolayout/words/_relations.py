@@ -251,6 +251,7 @@ class Relating(About):
         hung = place and chunk.value in ("on", "hanging")  # "a sofa with the TV on the wall"
         low = held and not topped(self.group[-1]) and not self.holder[0].thing.category.on_floor
         sat = held and sat_on(self.group[-1]) and self.holder[0].thing.head in TOPS
+        sat = sat and (chunk.value != "opposite" or self.group[-1].thing.head not in small.LOUNGE)
         others = [
             m for m in objects if isinstance(m, Mention) and m.thing.count > 1 and m.thing not in named(self.holder)
         ]
