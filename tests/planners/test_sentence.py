@@ -290,6 +290,14 @@ def test_things_stand_on_tops_that_are_meant_for_them(text: str, name: str, bear
     assert set(re.findall(rf"on_top_of\({name}\[\d\], (\w+)\[", plan)) <= bearers
 
 
+def test_the_chairs_of_a_table_are_not_those_of_a_desk() -> None:
+    scene, _ = scene_from_sentence("a studio with a desk and a dining table with two chairs")
+    chairs = [
+        asset.category for asset in scene.assets if asset.category.endswith("chair") and asset.category != "armchair"
+    ]
+    assert sorted(chairs) == ["chair", "chair", "office chair"]
+
+
 @pytest.mark.parametrize(
     ("text", "held"),
     [

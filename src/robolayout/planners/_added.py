@@ -10,7 +10,7 @@ import numpy as np
 
 from robolayout.planners._wishes import Wishes, head
 from robolayout.scene import Agent
-from robolayout.words import visits
+from robolayout.words import Mention, visits
 
 COMFORT, AIRY = 0.26, 0.15
 """Shares of the floor up to which further things are added: usually, and in a room that is to be airy."""
@@ -90,11 +90,20 @@ class Added:
 
     def _go_along(self, name: str, count: int) -> None:
         """Add what a wished thing is of no use without; benches and stools are seats of tables, too."""
-        there = {self.wishes.head(other) for other in self.wished if not visits(other)}
+        others = {other for other in self.wished if self._of_another(other, name)}
+        there = {self.wishes.head(other) for other in self.wished.keys() - others if not visits(other)}
+        there |= self.wishes.general - {self.wishes.head(other) for other in others}
         there |= {"chair"} if head(name) == "table" and SEATS & {*self.wished} else set()
         for other, each in self._companions(name).items():
-            if other not in self.spared and head(other) not in there | self.wishes.general:
+            if other not in self.spared and head(other) not in there:
                 self.found[other] = self.found.get(other, 0) + count * each
+
+    def _of_another(self, name: str, owner: str) -> bool:
+        """Return whether a thing is said to be around, or with, other things than its owner alone: the chairs of a table."""
+        links = (link for link in self.wishes.reading.parsed.links if link.relation in ("with", "around"))
+        own = (link for link in links if name in {mention.thing.noun.kind for mention in link.subjects})
+        owners = {item.thing.noun.kind for link in own for item in link.objects if isinstance(item, Mention)}
+        return bool(owners) and not owner.endswith(tuple(owners))
 
     def _add(self, name: str, most: int) -> None:
         """Add a thing with what it needs, as many times as there is room for."""
