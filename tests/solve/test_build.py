@@ -124,6 +124,18 @@ def test_a_thing_stands_where_what_lies_under_it_or_hangs_over_it_is_asked_to_be
     assert all(statement.met for statement in report.statements), report.statements
 
 
+def test_what_is_placed_first_may_belong_to_what_is_placed_first_too() -> None:
+    """Some of the stools were looked for at tables that had no place yet."""
+    text = (
+        "A nail salon with three manicure tables in a row, a stool on each side of every table, a desk lamp on every table, "
+        "a sofa by the window and a reception desk near the door."
+    )
+    scene, _ = scene_from_sentence(text)
+    asked = read_words(scene).demands
+    program = reconcile(read_program(OfflinePlanner().plan(PlanRequest(scene, asked=asked)), scene), scene).program
+    assert len(compile_problem(scene, program).guess) == len(scene.assets)
+
+
 def test_what_stands_beside_a_follower_is_not_put_into_its_leader() -> None:
     """The lamp at the inner side of the second of two armchairs stood in the first."""
     chairs = tuple(Asset(f"armchair-{i}", "armchair", (0.83, 0.8, 0.85)) for i in range(2))

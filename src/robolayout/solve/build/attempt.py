@@ -211,15 +211,15 @@ class Attempt:
         for name in hung:
             there += lay_on(self.site, name)
         self.steps += [_Step(partial(Site.settle, name=name, spot=self.site.spots[name])) for name in there]
-        apart = [name for name in self.first if name not in standing and self._stands_alone(name)]
-        clusters = [self._without_own(self.site.clusters.build(name), apart) for name in standing]
+        clusters = [self._without_first(self.site.clusters.build(name)) for name in standing]
         if not clusters:
             return
         weights, modes = self._weights(items[0].weights), self._modes(items[0])
         if items[0].rows is not None:
             clusters = self._in_rows(clusters, modes, weights)
         for cluster in clusters:
-            self._place(cluster, self._open_to(cluster, modes), weights)
+            own = self._modes(self.site.wants[cluster.anchor])
+            self._place(cluster, self._open_to(cluster, own), weights)
 
     def _modes(self, item: Want) -> Modes:
         """Return the ways of standing of a thing, at what it joins if that is there."""
@@ -340,6 +340,11 @@ class Attempt:
         """Return a cluster without some things and what goes by them."""
         gone = {m.name for name in out for m in self.site.clusters.build(name).members}
         return replace(cluster, members=tuple(m for m in cluster.members if m.name not in gone))
+
+    def _without_first(self, cluster: Cluster) -> Cluster:
+        """Return a cluster without what is placed first by itself."""
+        out = [m.name for m in cluster.members[1:] if m.name in self.first and self._stands_alone(m.name)]
+        return self._without_own(cluster, out)
 
     def _place_alone(self, out: Sequence[str]) -> None:
         """Place things that their clusters gave up, each with what goes by it."""

@@ -165,6 +165,8 @@ def _at_its_anchor(site: Site, cluster: Cluster) -> Found:
 
 def _at(site: Site, anchor: str, places: Iterable[Member]) -> Found:
     """Return places in the frame of a thing that has its own."""
+    if anchor not in site.spots:
+        return [], -1
     here = site.spots[anchor].member
     return [(m.x, m.y, m.yaw) for m in (place.moved(here.x, here.y, here.yaw) for place in places)], -1
 
