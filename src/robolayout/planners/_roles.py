@@ -60,8 +60,15 @@ def _handy(item: Cast, cast: Mapping[str, Cast], agents: Sequence[Agent]) -> Ite
     heights = {other.asset.size[2] for other in cast.values()}
     for narrow in (False, True) if any(join.on_top for join in item.role.joins) else ():
         within = {height for height in heights if in_height(agents, item.asset, height, narrow=narrow)}
-        yield {other for other, there in cast.items() if there.asset.size[2] in within}
+        yield {other for other, there in cast.items() if there.asset.size[2] in within and _room_on(there, item, cast)}
     yield cast.keys()
+
+
+def _room_on(top: Cast, item: Cast, cast: Mapping[str, Cast]) -> bool:
+    """Return whether a thing fits on a top before each other one there, or beside it in the middle: no bowl goes by a wide screen."""
+    (deep, wide, _), (depth, width, _) = top.asset.size, item.asset.size
+    there = (one.asset.size for one in cast.values() if one.anchor == top.name and one.join.on_top)
+    return all(depth <= deep - other[0] or width <= (wide - other[1]) / 2 for other in there)
 
 
 def _footprint(asset: Asset) -> float:
