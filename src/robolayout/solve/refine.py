@@ -143,7 +143,7 @@ class Solver:
         if self._shut and not self.blind:
             self._opened(stage, run)
         if self.number or not self.blind:  # on a top a few centimetres are enough
-            self._near(self.effort.nearby)
+            self._near()
         self.blind |= self.verdict.broken / len(stage.moving) > self.effort.blind
         self.blind |= self.verdict.soft > self.effort.blind * len(self.problem.relations)
         if self.config.starts and (self.blind or self.verdict.broken):
@@ -178,11 +178,11 @@ class Solver:
         rows, moving = self.repair.proposals, stage.moving
         self._try(one for world in run.ranked() for one in (pushed(rows, world, moving, most=NEAR), world))
 
-    def _near(self, most: int) -> None:
-        """Place so many things to blame anew, as near to their guesses as can be, as long as the judge likes that better."""
+    def _near(self, most: float = math.inf) -> None:
+        """Place some things to blame anew, as near to their guesses as can be, as long as the judge likes that better."""
         self._say("mend")
         hopeless = set[int]()
-        for _ in range(most):
+        for _ in range(int(min(most, self.effort.nearby))):
             slots = [slot for slot in self._blamed(self.number) if slot not in hopeless]
             if self.verdict.ok or not slots or self.spent:
                 break
@@ -207,7 +207,7 @@ class Solver:
         if self._shut:
             self._route(stage, run)
         if not self.verdict.broken:
-            self._near(self.effort.nearby)
+            self._near()
 
     def _built(self, stage: Stage, count: int) -> Run | None:
         """Build and polish so many starts in each batch, and mend single things."""
