@@ -2,7 +2,8 @@
 
 What was asked for is kept: the guess is judged as it is, pushed to where its own statements hold, polished by gradients, with
 what a body needs as demands on the furniture in its way, and mended thing by thing, nearest first. A room is built anew only if
-hard demands or access are still not met then, or if there was nothing to keep.
+hard demands or access are still not met then, or if there was nothing to keep. What a room that was built lacks, if that is
+little, is mended before gradients move the rest.
 """
 
 from __future__ import annotations

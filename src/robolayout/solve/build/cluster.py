@@ -101,7 +101,8 @@ class ClusterBuilder:
         _, half = _half(item)
         if item.joined.yaw:
             return half, half
-        own = (m for m in self._members(item.name) if m.bottom == 0.0 and not self.wants[m.name].asset.is_flat)
+        first, *others = self._members(item.name)
+        own = (first, *(m for m in others if m.bottom == 0.0 and not self.wants[m.name].asset.is_flat))
         ends = [box_of(m, self.wants[m.name].asset.size) for m in own]
         return max(-box[1] for box in ends), max(box[3] for box in ends)
 

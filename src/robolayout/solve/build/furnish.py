@@ -65,7 +65,9 @@ def _furnish(empty: Site, given: Mapping[str, Pose], seed: int) -> Site:
     for number in range(attempts(count)):
         site = empty.copy()
         _keep(site, given)
-        attempt = Attempt(site, np.random.default_rng((seed, number)), calm=number == 0 and seed == 0, first=missed)
+        attempt = Attempt(
+            site, np.random.default_rng((seed, number)), calm=number == 0 and seed == 0, first=frozenset(missed)
+        )
         cost = attempt.furnish_floor()
         missed |= attempt.missed
         if best is None or cost < best[0]:
