@@ -24,7 +24,7 @@ from scipy.sparse.csgraph import dijkstra
 
 from robolayout.scene import Agent, Point, Room
 from robolayout.verify._obstacles import Obstacles
-from robolayout.verify.heading import Drive, Pose, free_of, grown, rectangle
+from robolayout.verify.heading import Drive, Pose, free_of, rectangle
 
 QUARTER = ((1, 0), (2, 1), (1, 1), (1, 2))  # directions of the headings of a quarter turn, in cells
 DIRECTIONS = (*QUARTER, *((-y, x) for x, y in QUARTER), *((-x, -y) for x, y in QUARTER), *((y, -x) for x, y in QUARTER))
@@ -94,15 +94,72 @@ def _inside(grid: _Grid, room: Room, body: bytes) -> NDArray[np.bool_]:
     return np.asarray(shapely.contains_xy(free, *grid.places.T))
 
 
-@lru_cache(maxsize=1 << 14)  # while a layout is mended one thing moves, and all others meet what they met before
-def _met(grid: _Grid, body: bytes, ring: bytes) -> NDArray[np.intp]:
-    """Return the places at which a convex body meets a rectangle, corners (4, 2) as bytes."""
-    (larger,) = grown(np.frombuffer(ring).reshape(1, 4, 2), np.frombuffer(body).reshape(-1, 2))
-    left, bottom, right, top = larger.bounds
-    x, y = grid.places.T
-    near = np.flatnonzero((x >= left) & (x <= right) & (y >= bottom) & (y <= top))
-    shapely.prepare(larger)
-    return near[shapely.intersects_xy(larger, x[near], y[near])]
+@dataclass(frozen=True, eq=False)
+class _Sweeps:
+    """What a body does from the places of a lattice, and the convex shapes that it sweeps, a move and its way back being one."""
+
+    moves: tuple[tuple[Move, ...], ...]  # by heading
+    shapes: tuple[NDArray[np.float64], ...]  # corners (m, 2) of each, metres from the place where the move begins
+    # by heading and move, which shape that is, and how many cells from the place where it begins
+    of: tuple[tuple[tuple[int, tuple[int, int]], ...], ...]
+
+    @cached_property
+    def sides(self) -> list[NDArray[np.float64]]:
+        """Normals (m, 2) of each shape seen from what it meets."""
+        return [_sides(-shape) for shape in self.shapes]
+
+
+def _sides(corners: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return the outward normals (m, 2) of a convex shape (m, 2)."""
+    along = np.roll(corners, -1, axis=0) - corners
+    normals = np.column_stack([along[:, 1], -along[:, 0]])
+    out = (normals * (corners - corners.mean(axis=0))).sum(axis=1)
+    return np.asarray(normals * np.sign(out)[:, None], np.float64)
+
+
+@lru_cache(maxsize=16)
+def _swept(agent: Agent, heading: float, cell: float) -> _Sweeps:
+    """Return the moves of a body on a lattice at a heading in radians, and what they sweep."""
+    every = tuple(tuple(_moves(k, cell, agent.turning_radius or 0.0)) for k in range(TURNS))
+    hulls, of = list[NDArray[np.float64]](), list[tuple[tuple[int, tuple[int, int]], ...]]()
+    known: dict[tuple[int, int, bool], int] = {}
+    for k, moves in enumerate(every):
+        numbers = list[tuple[int, tuple[int, int]]]()
+        for move in moves:
+            on_spot = not any(move.step)
+            half = TURNS // 2 if on_spot else TURNS  # on the spot a rectangle sweeps the same half a turn later
+            own, back = (
+                (k % half, move.turn, on_spot),
+                known.get(((k + move.turn + TURNS // 2) % half, -move.turn, on_spot)),
+            )
+            if back is None and own not in known:
+                known[own] = len(hulls)
+                poses = np.concatenate([[(0.0, 0.0, ANGLES[k])], move.poses])
+                rings = [rectangle(agent, heading + turn, LATTICE.bulge) + at @ _axes(heading) for *at, turn in poses]
+                hull = shapely.MultiPoint(np.concatenate(rings)).convex_hull
+                hulls.append(shapely.get_coordinates(hull)[:-1])
+            numbers.append((known[own], (0, 0)) if back is None else (back, (-move.step[0], -move.step[1])))
+        of.append(tuple(numbers))
+    return _Sweeps(every, tuple(hulls), tuple(of))
+
+
+@lru_cache(maxsize=512)  # while a layout is mended one thing moves, and all others meet what they met before
+def _met(grid: _Grid, sweeps: _Sweeps, ring: bytes) -> NDArray[np.intp]:
+    """Return where sweeps meet a rectangle, corners (4, 2) as bytes: flat indices of (sweep, place).
+
+    Two convex shapes meet where none of their sides has them apart.
+    """
+    corners, met = np.frombuffer(ring).reshape(4, 2), list[NDArray[np.intp]]()
+    own, every = _sides(corners), np.concatenate(sweeps.shapes)
+    low, high = corners.min(axis=0) - every.max(axis=0), corners.max(axis=0) - every.min(axis=0)
+    near = np.flatnonzero(((grid.places >= low) & (grid.places <= high)).all(axis=1))
+    places = grid.places[near].T
+    for number, (shape, sides) in enumerate(zip(sweeps.shapes, sweeps.sides, strict=True)):
+        normals = np.concatenate([own, sides])
+        reach = (normals @ corners.T).max(axis=1) + (normals @ -shape.T).max(axis=1)
+        hit = (normals @ places <= reach[:, None]).all(axis=0)
+        met.append(number * len(grid.places) + near[hit])
+    return np.concatenate(met)
 
 
 class Lattice:
@@ -120,36 +177,17 @@ class Lattice:
         shape = (int(right - left) + 1, int(top - bottom) + 1)
         self._grid = _Grid(start, heading, cell, (int(left), int(bottom)), shape)
         self._places, self._angle = self._grid.places, heading
-        self._moves = [list(_moves(k, cell, agent.turning_radius or 0.0)) for k in range(TURNS)]
+        self._sweeps = _swept(agent, heading, cell)
 
     @cached_property
     def _open(self) -> list[list[NDArray[np.bool_]]]:
-        """For each heading and each of its moves, from which places it is open; a move and its way back are one."""
-        found: list[list[NDArray[np.bool_]]] = [[] for _ in range(TURNS)]
-        known: dict[tuple[int, int, bool], NDArray[np.bool_]] = {}
-        for k, moves in enumerate(self._moves):
-            for move in moves:
-                on_spot = not any(move.step)
-                half = TURNS // 2 if on_spot else TURNS  # on the spot a rectangle sweeps the same half a turn later
-                own = (k % half, move.turn, on_spot)
-                back = ((k + move.turn + TURNS // 2) % half, -move.turn, on_spot)
-                if back in known:
-                    step = (-move.step[0], -move.step[1])
-                    known[own] = np.roll(known[back].reshape(self._grid.shape), step, axis=(0, 1)).ravel()
-                elif own not in known:
-                    known[own] = self._clear(k, move)
-                found[k].append(known[own])
-        return found
-
-    def _clear(self, number: int, move: Move) -> NDArray[np.bool_]:
-        """Return from which places the shape that a move sweeps meets nothing."""
-        poses = np.concatenate([[(0.0, 0.0, ANGLES[number])], move.poses])
-        rings = [rectangle(self._agent, self._angle + turn, LATTICE.bulge) + at @ self._axes for *at, turn in poses]
-        body = shapely.get_coordinates(shapely.MultiPoint(np.concatenate(rings)).convex_hull)[:-1].tobytes()
-        free = _inside(self._grid, self._room, body).copy()
+        """For each heading and each of its moves, from which places what it sweeps meets nothing."""
+        grid, sweeps = self._grid, self._sweeps
+        free = np.array([_inside(grid, self._room, shape.tobytes()) for shape in sweeps.shapes])
         for ring in shapely.get_coordinates(self._blocking.shapes).reshape(-1, 5, 2)[:, :4]:
-            free[_met(self._grid, body, ring.tobytes())] = False
-        return free
+            free.flat[_met(grid, sweeps, ring.tobytes())] = False
+        free = free.reshape(-1, *grid.shape)
+        return [[np.roll(free[i], step, axis=(0, 1)).ravel() for i, step in moves] for moves in sweeps.of]
 
     @cached_property
     def _found(self) -> tuple[NDArray[np.float64], NDArray[np.intp]]:
@@ -168,7 +206,7 @@ class Lattice:
         count, half = len(self._places), TURNS // 2
         stands = np.zeros((TURNS, count), dtype=bool)
         edges: list[tuple[NDArray[np.intp], NDArray[np.intp], float]] = []
-        for k, moves in enumerate(self._moves):
+        for k, moves in enumerate(self._sweeps.moves):
             for move, free in zip(moves, self._open[k], strict=True):
                 here, turned = np.flatnonzero(free), (k + move.turn) % TURNS
                 there = here + move.step[0] * self._grid.shape[1] + move.step[1]
@@ -222,7 +260,7 @@ class Lattice:
             if here == there and abs(turn) == TURNS // 2:
                 reversals += 1
             else:
-                move = next(m for m in self._moves[before] if m.turn == turn and any(m.step) == (here != there))
+                move = next(m for m in self._sweeps.moves[before] if m.turn == turn and any(m.step) == (here != there))
                 spots = self._places[here] + move.poses[:, :2] @ self._axes
                 turned = heading + move.poses[:, 2] - ANGLES[before]
                 poses += [(x, y, yaw) for (x, y), yaw in zip(spots.tolist(), turned.tolist(), strict=True)]

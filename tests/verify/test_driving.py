@@ -1,0 +1,39 @@
+"""Moves of a body that cannot slide: where what they sweep meets a thing, against shapely's own answer."""
+
+import math
+
+import numpy as np
+import pytest
+import shapely
+from shapely.affinity import translate
+
+import robolayout as rl
+from robolayout.verify import driving
+
+
+@pytest.mark.parametrize("name", ["wheelchair", "forklift"])
+@pytest.mark.parametrize("yaw", [0.0, 0.4, math.pi / 4])
+def test_moves_are_barred_where_what_they_sweep_meets_a_thing(name: str, yaw: float):
+    agent, cell, heading = rl.load_agent(name), 0.1, 0.3
+    sweeps = driving._swept(agent, heading, cell)
+    grid = driving._Grid((0.05, -0.02), heading, cell, (-30, -30), (60, 60))
+    c, s = math.cos(yaw), math.sin(yaw)
+    ring = np.array([(0.5, -0.3), (0.5, 0.3), (-0.5, 0.3), (-0.5, -0.3)]) @ np.array([(c, s), (-s, c)])
+    met = np.zeros((len(sweeps.shapes), len(grid.places)), bool)
+    met.flat[driving._met(grid, sweeps, ring.tobytes())] = True
+    thing, rng = shapely.Polygon(ring), np.random.default_rng(0)
+    both = list[bool]()
+    for place in rng.choice(len(grid.places), 60, replace=False):
+        for number, shape in enumerate(sweeps.shapes):
+            gap = thing.distance(translate(shapely.Polygon(shape), *grid.places[place]))
+            both.append(gap == 0.0)
+            if not 0.0 < gap < 1e-9:
+                assert met[number, place] == (gap == 0.0)
+    assert any(both) and not all(both)
+
+
+def test_a_move_and_its_way_back_sweep_one_shape():
+    sweeps = driving._swept(rl.load_agent("forklift"), 0.0, 0.1)
+    every = [number for numbers in sweeps.of for number, _ in numbers]
+    assert sorted(set(every)) == list(range(len(sweeps.shapes)))
+    assert len(every) == 2 * len(sweeps.shapes)
