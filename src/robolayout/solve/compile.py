@@ -116,11 +116,10 @@ class Problem:
         held = {row.a for row in self.statement_terms if isinstance(row, FrameTerm) and isinstance(row.b, WallRef)}
         found: list[FrameTerm] = []
         for asset, carrier in zip(self.scene.assets, self.parent, strict=True):
-            ref, (x, y) = AssetRef(asset.name), self.guess[asset.name].at
+            ref, at = AssetRef(asset.name), self.guess[asset.name].at
             if asset.on_wall and not asset.on_floor and carrier < 0 and ref not in held:
                 wide = [wall for wall in self.scene.room.walls if wall.length >= asset.size[1]] or self.scene.room.walls
-                off = [abs((x - w.start[0]) * w.normal[0] + (y - w.start[1]) * w.normal[1]) for w in wide]
-                nearest = wide[off.index(min(off))]
+                nearest = min(wide, key=lambda wall: wall.distance(at))
                 found.append(wall_term(ref, WallRef(nearest.index), self.scene, 2.0))
         return tuple(found)
 

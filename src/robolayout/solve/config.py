@@ -71,7 +71,6 @@ class SolverConfig:
     # starts, where polishing the guess is not enough: a quarter of them in each batch that is built; none leaves out building
     starts: int = 16
     kept: int = 8  # how many go on to routes
-    judged: int = 8  # layouts of each round of routes that the exact verifier sees, the most promising first
     polish: SearchConfig = SearchConfig(steps=140, rate=0.02, final_rate=0.0005)  # of starts that are near a solution
     reroute: SearchConfig = SearchConfig(steps=120, rate=0.03, final_rate=0.001)  # after each planning of routes
     # most rounds of planning routes and moving furniture out of their way; none leaves out all routes

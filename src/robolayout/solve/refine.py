@@ -201,6 +201,9 @@ class Solver:
         self.gained = self.judgements
         count = self.config.starts // 4
         run = None if self.number else self._built(stage, count)
+        if self.verdict.ok:
+            self._still(stage, self.made_by)
+            return
         if run is None:
             nearby = self.repair.proposals.near(stage.world, stage.moving, max(count, 1), self.rng)
             run = self.runner.advance(stage, nearby, self.config.polish, "polish")
@@ -225,7 +228,7 @@ class Solver:
             if self.verdict.promise <= self.effort.nearly:
                 self._mend(self.effort.mendings)
             if self.verdict.ok:
-                return self._still(stage, "built")
+                break
             plans = [self._planned(world, everywhere=True) for world in made]
             more = self.runner.advance(stage, np.array(made), self.config.polish, "polish", plans=plans)
             self._try(more.ranked())
@@ -233,10 +236,10 @@ class Solver:
             self._mend(self.effort.mendings)
         return run
 
-    def _still(self, stage: Stage, label: str) -> Run:
-        """Return the incumbent as a run in which nothing moves; it is only run where a record is asked for."""
-        still = Run(self.world[None], np.zeros(1), np.zeros(1))
-        return self.runner.advance(stage, still.world, STILL, label) if self.config.trace else still
+    def _still(self, stage: Stage, label: str) -> None:
+        """Record the incumbent as it stands, where a record is asked for."""
+        if self.config.trace:
+            self.runner.advance(stage, self.world[None], STILL, label)
 
     def _route(self, stage: Stage, run: Run) -> None:
         """Push furniture out of the agents' routes, replanning as it moves."""
@@ -252,7 +255,7 @@ class Solver:
             run = self.runner.advance(stage, run.world, self.config.reroute, "routes", plans=plans)
             if not any(plan.blocked for plan in rounds[-1]):
                 break
-            self._try(run.ranked()[: self.config.judged])
+            self._try(run.ranked())
             if self.gained == before:
                 break
 
