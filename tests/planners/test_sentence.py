@@ -352,6 +352,19 @@ def test_the_things_say_which_room_it_is(text: str, room: str) -> None:
     assert scene_from_sentence(text)[1].room_type == room
 
 
+def test_a_small_table_with_chairs_gets_no_others() -> None:
+    wished = scene_from_sentence("A kitchen with a fridge and a small table with two chairs.")[1]
+    assert wished.wished["chair"] == 2 and "chair" not in wished.added
+
+
+def test_no_window_is_made_where_something_hangs_opposite_the_door() -> None:
+    scene, _ = scene_from_sentence("A meeting room with a whiteboard on the wall opposite the door.")
+    (nx, ny), opposite = scene.room.walls[scene.room.doors[0].wall].normal, set[int]()
+    for wall in scene.room.walls:
+        opposite |= {wall.index} if wall.normal[0] * nx + wall.normal[1] * ny < -0.9 else set()
+    assert opposite and opposite.isdisjoint(window.wall for window in scene.room.windows)
+
+
 def test_no_door_is_made_in_a_wall_at_which_things_are_asked_to_stand() -> None:
     for seed in range(4):
         scene, _ = scene_from_sentence(

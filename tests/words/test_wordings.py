@@ -108,6 +108,8 @@ def test_counts(text: str, counts: dict[str, int]) -> None:
         ("a loft bed, a desk tucked under the bed", {("under", "desk", "loft bed")}),
         ("A dog bed lies at the foot of the bed.", {("foot", "dog bed", "bed")}),
         ("a studio with a small kitchen in one corner", {("in", "kitchen", "corner")}),
+        ("a double bed with a bench at the foot", {("foot", "bench", "double bed")}),
+        ("two beds, a wardrobe opposite the beds and a rug at their feet", {("opposite", "wardrobe", "bed"), ("foot", "rug", "bed")}),
         ("A sink and a window above the sink.", {("under", "sink", "window")}),
         ("a table with six chairs near the bar", {("with", "chair", "table"), ("near", "table", "bar")}),
         ("a bed, a sofa, a shelf with cups above them", {("with", "cup", "shelf"), ("above", "shelf", "bed"), ("above", "shelf", "sofa")}),
@@ -196,6 +198,22 @@ def test_visitors_sit_across_a_desk_whose_owner_gets_a_chair() -> None:
 @pytest.mark.parametrize("desk", ["gaming desk", "executive desk", "desk"])
 def test_a_desk_of_any_name_has_a_chair(desk: str) -> None:
     assert scene_from_sentence(f"A bedroom with a bed and a {desk}.")[1].added["office chair"] == 1
+
+
+def test_four_things_back_to_back_are_two_rows() -> None:
+    scene, _ = scene_from_sentence("A library with four bookshelves back to back in the centre.")
+    (row,) = [row for row in read_words(scene).rows if "back to back" in row.words]
+    assert "aisle=0.6, paired, 2)" in row.understanding
+
+
+def test_floor_things_on_both_sides_of_what_hangs_have_it_between_them() -> None:
+    scene, _ = scene_from_sentence("A hall with a mirror on the wall flanked by two benches.")
+    understood = [row.understanding for row in read_words(scene).rows if "bench" in row.words]
+    assert any("between(mirror-0, bench-0, bench-1)" in text for text in understood)
+
+
+def test_a_stand_is_for_what_stands_on_it() -> None:
+    assert "tv stand" in scene_from_sentence("A living room with a television on a stand.")[1].wished
 
 
 def test_standing_free_in_the_middle_is_about_who_stands_there() -> None:

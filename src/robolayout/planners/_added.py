@@ -101,8 +101,8 @@ class Added:
     def _of_another(self, name: str, owner: str) -> bool:
         """Return whether a thing is said to be around, or with, other things than its owner alone: the chairs of a table."""
         links = (link for link in self.wishes.reading.parsed.links if link.relation in ("with", "around"))
-        own = (link for link in links if name in {mention.thing.noun.kind for mention in link.subjects})
-        owners = {item.thing.noun.kind for link in own for item in link.objects if isinstance(item, Mention)}
+        own = (link for link in links if name in {self.wishes.kind(mention.thing) for mention in link.subjects})
+        owners = {self.wishes.kind(item.thing) for link in own for item in link.objects if isinstance(item, Mention)}
         return bool(owners) and not owner.endswith(tuple(owners))
 
     def _add(self, name: str, most: int) -> None:

@@ -51,14 +51,12 @@ def asked_lines(scene: Scene, demands: Sequence[Demand], known: set[str]) -> dic
 
     What a thing on a wall is to hang above stands at a wall, and rather beside its windows, unless words put it elsewhere.
     """
-    program, found, under = Program(expressions=scene.expressions), list[Relation](), list[str]()
-    placed = subjects(demands)
-    for demand in (demand for demand in demands if demand.names() <= known):
+    program, found = Program(expressions=scene.expressions), list[Relation]()
+    placed, of_known = subjects(demands), [demand for demand in demands if demand.names() <= known]
+    for demand in of_known:
         found += demand.ways[0] if len(demand.ways) == 1 else [AnyOf(demand.ways)]
         found += [demand.exact] if demand.exact is not None else []
-        pairs = (one.asset_names() for one in demand.ways[0] if one.name == "above")
-        hung = (low for high, low in pairs if scene.by_name[high].on_wall and scene.by_name[low].on_floor)
-        under += [name for name in hung if name not in placed]
+    under = [name for name in hung_over(scene, of_known) if name not in placed]
     found += [AgainstWall(AssetRef(name)) for name in under]
     lines = {f"solver.{program.call(relation)}": relation.asset_names()[0] for relation in found}
     aside = f"weight={IN_THE_LIGHT:g}"
@@ -114,6 +112,12 @@ def subjects(demands: Iterable[Demand]) -> set[str]:
         if relation.name not in PLACELESS
         for name in relation.asset_names()[: None if relation.name == "in_rows" else 1]
     }
+
+
+def hung_over(scene: Scene, demands: Iterable[Demand]) -> list[str]:
+    """Return what stands on the floor below what is asked to hang above it on a wall."""
+    pairs = (one.asset_names() for demand in demands for one in demand.ways[0] if one.name == "above")
+    return [low for high, low in pairs if scene.by_name[high].on_wall and scene.by_name[low].on_floor]
 
 
 def held_by_walls(demands: Sequence[Demand]) -> set[str]:

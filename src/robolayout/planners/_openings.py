@@ -4,14 +4,23 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence, Set
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from robolayout.assets import Category
 from robolayout.planners._wishes import Wishes
-from robolayout.scene import Room
-from robolayout.words import COMPASS, Place, Reading, WantedOpening, grammar, spoken_openings, wanted_openings
+from robolayout.scene import Opening, Room
+from robolayout.words import (
+    COMPASS,
+    Place,
+    Reading,
+    WantedOpening,
+    grammar,
+    spoken_openings,
+    walls_meant,
+    wanted_openings,
+)
 
 
 @dataclass(frozen=True)
@@ -37,12 +46,12 @@ class Openings:
 
 OPENINGS = Openings()
 
-Opening = dict[str, float]
+Hole = dict[str, float]
 
 
 def openings(
     room: Room, wishes: Wishes, wide: float, rng: np.random.Generator, *, varied: bool
-) -> tuple[list[Opening], list[Opening]]:
+) -> tuple[list[Hole], list[Hole]]:
     """Return doors near the ends of long walls (varied: somewhere in any wall), and windows in other walls.
 
     Where another wall can have it, no door is made at a wall or corner where things are to stand, and no window behind high ones.
@@ -52,8 +61,8 @@ def openings(
     usual = order[int(rng.integers(0, len(order) if varied else min(2, len(order))))]
     along = float(rng.random()) if varied else float(rng.random() < 0.5)
     asked = _asked(wishes.reading, "door", OPENINGS.most_doors, 1 + int(room.area / OPENINGS.door_each))
-    full, high = (_held(room, wishes, least) for least in (0.0, OPENINGS.sill))
-    doors: list[Opening] = []
+    full = _held(room, wishes, 0.0)
+    doors: list[Hole] = []
     for number, item in enumerate(i for i in asked for _ in range(i.count)):
         fits = [i for i in order if room.walls[i].length > wide and i not in {d["wall"] for d in doors}] or order
         fits = [i for i in fits if i not in full] or fits
@@ -66,6 +75,8 @@ def openings(
         doors.append({"wall": wall, "offset": round(max(offset, 0.0), 2), "width": width, "height": height})
     more = max(1 + int(rng.integers(0, 2)), int(room.area / OPENINGS.window_each))
     taken = {int(d["wall"]) for d in doors}
+    made = tuple(Opening(int(d["wall"]), d["offset"], d["width"], d["height"]) for d in doors)
+    high = _held(replace(room, doors=made), wishes, OPENINGS.sill)
     taken |= high if len(taken | high) < len(order) else set[int]()
     free = [i for i in order if i not in taken]
     return doors, _windows(room, free, _asked(wishes.reading, "window", OPENINGS.most_windows, more), rng)
@@ -87,6 +98,8 @@ def _placed(room: Room, wishes: Wishes, name: str) -> Iterator[tuple[list[list[i
             if isinstance(place, Place) and place.name == name:
                 words = {walls[word] for word in place.words if walls.get(word) in COMPASS}
                 yield [_meant(room, word) for word in words], there
+                if room.doors and name == "wall" and place.by is not None and place.by[1].name == "door":
+                    yield [[wall.index for wall in walls_meant(room, place)]], there
 
 
 def _held(room: Room, wishes: Wishes, least: float) -> set[int]:
@@ -111,13 +124,13 @@ def _aside(room: Room, wall: int, along: float, wishes: Wishes, full: Set[int]) 
     return min(along, 1.0 - along) if start > end else max(along, 1.0 - along)
 
 
-def _windows(room: Room, free: list[int], asked: Sequence[WantedOpening], rng: np.random.Generator) -> list[Opening]:
+def _windows(room: Room, free: list[int], asked: Sequence[WantedOpening], rng: np.random.Generator) -> list[Hole]:
     """Return the windows, in two of the free walls, which are outer ones, where no wall is said."""
     outer = (free[: int(rng.integers(1, 3))] if len(asked) == 1 and not asked[0].wall else free) or [0]
     by_wall: dict[int, list[WantedOpening]] = {}
     for turn, wanted in enumerate(i for i in asked for _ in range(i.count)):
         by_wall.setdefault(_wall(room, wanted.wall, outer[turn % len(outer) :] + outer), []).append(wanted)
-    found: list[Opening] = []
+    found: list[Hole] = []
     for wall, items in by_wall.items():
         share = room.walls[wall].length / len(items)
         middle = float(rng.choice([0.35, 0.5, 0.65])) if len(items) == 1 and not items[0].wall else 0.5

@@ -48,6 +48,7 @@ class Writer:
     asked: Set[str]  # things of which the user's words say where they stand: roles only wish then
     cornered: Set[str]  # those of them with a corner of their own: placed before it is taken
     walled: Set[str]  # those of them whose wall the words leave to them
+    below: Set[str]  # what the words hang something above on the wall: nothing else hangs there
 
     def order(self) -> list[str]:
         """Return all assets, what is placed first first: low ranks, big things, and what joins a thing right after it."""
@@ -188,7 +189,7 @@ class Writer:
 
     def _off_the_floor(self, item: Cast, mode: str) -> Iterator[str]:
         """Yield where a thing hangs or lies."""
-        a, values, over = self._name(item.name), self._values(item), self._playing(*item.role.above)
+        a, values, over = self._name(item.name), self._values(item), self._under(item)
         owner = None if item.name in self.asked else self._owners.get(item.name)
         if owner is not None:
             values["b"] = self._name(owner)
@@ -206,13 +207,18 @@ class Writer:
         if mode == "ceiling" and owner is None:
             yield _wish(f"centered_on({a}, room)")
 
+    def _under(self, item: Cast) -> list[str]:
+        """Return what a thing may hang over or lie under."""
+        hangs = _modes(item)[0] == "hang"
+        return [name for name in self._playing(*item.role.above) if not (hangs and name in self.below)]
+
     @cached_property
     def _owners(self) -> Mapping[str, str]:
         """What things hang over or lie under: of the first with as few others as any, each rug another one."""
         taken, found = Counter[tuple[str, str]](), dict[str, str]()
         for name, one in self.cast.items():
             mode = _modes(one)[0]
-            free = [n for n in self._playing(*one.role.above) if not (mode == "rug" and taken[mode, n])]
+            free = [n for n in self._under(one) if not (mode == "rug" and taken[mode, n])]
             if free:
                 found[name] = min(free, key=lambda n: taken[mode, n])
                 taken[mode, found[name]] += 1

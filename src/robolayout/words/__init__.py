@@ -1,7 +1,7 @@
 """Sentences and criteria as rows: what is asked, what it asks of a scene, and whether a layout meets it."""
 
 from robolayout.words._lexicon import Lexicon, dressing, grammar
-from robolayout.words._places import COMPASS
+from robolayout.words._places import COMPASS, walls_meant
 from robolayout.words._said import Link, Mention, Place, Thing
 from robolayout.words._tokens import Measure
 from robolayout.words._ways import visits
@@ -35,5 +35,6 @@ __all__ = [
     "sized",
     "spoken_openings",
     "visits",
+    "walls_meant",
     "wanted_openings",
 ]

@@ -89,6 +89,7 @@ class Chunker(ClosedWords):
                 each = count_of(self.words[at + size + 1]) if of and self.words[at + size + 1 :] else None
                 size += 2 * bool(each)
                 of_it = words[-1] in ("left", "right") and phrase != words[-1] and self._clause(at, at + size)
+                of_it = of_it or phrase in ("at the foot", "at the feet")
                 its = "its" if (re.search(" (its|their) ", phrase) and value != "wall") or of_it else ""
                 number = rows * each if each else None
                 return Chunk("rel", at, at + size, value, None, its, number, adjectives=tuple(words), rows=rows)

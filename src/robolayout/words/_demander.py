@@ -125,6 +125,9 @@ class Demander(AtPlaces):
         if self.told.in_rows(it.subjects):
             yield self.told.block(it.subjects)
             return
+        if relation == "backs" and len(it.subjects) > 3 and alike(self.scene, it.subjects):
+            yield in_rows(it.subjects, 2, "paired")  # pairs one before the other would have no room before them
+            return
         desks = relation == "mutual" and self._is(it.subjects[0], ("desk",))  # who sits there looks over its back
         ways = ways_of.BY_TWOS["mutual desks" if desks else relation]
         yield from (by_ways(ways, b, a) for a, b in zip(it.subjects[::2], it.subjects[1::2], strict=False))
@@ -191,6 +194,11 @@ class Demander(AtPlaces):
         for b, items in by.items():
             ways = [[("left", "right")[(i + first) % 2] for i in range(len(items))] for first in (0, 1)]
             gap = ways_of.BESIDE if len(items) < 3 else ways_of.BESIDE * len(items)
+            if self._only_wall(b) and len(items) == 2 and not any(map(self._only_wall, items)):
+                one, two, high = (AssetRef(name) for name in (*items, b))  # plants on both sides of a painting
+                near = (stated("near", a, high, gap) for a in (one, two))
+                yield Demand(((*near, stated("between", high, one, two)),))
+                continue
             sided = ([*zip(items, way, strict=True)] for way in ways)
             yield Demand(tuple(tuple(stated("next_to", AssetRef(a), AssetRef(b), s, gap) for a, s in w) for w in sided))
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from robolayout.assets import CATALOGUE
+from robolayout.assets.lexicon import phrase_index
 from robolayout.scene import FLAT_HEIGHT
 from robolayout.words import _function_words as small
 from robolayout.words._said import Link, Parsed, Place, Thing, mentions
@@ -65,9 +66,9 @@ def _settle_by_place(link: Link) -> None:
     for thing in (mention.thing for mention in lit or link.subjects):
         noun = thing.noun
         for bearer in (mention.thing for mention in to):
-            own = f"{noun.said} stand"
-            if link.relation == "on" and bearer.noun.said == "stand" and own in CATALOGUE:
-                bearer.noun = replace(bearer.noun, words=own, kind=own, guessed="")
+            own = phrase_index().get(f"{noun.said} stand", ())[:1]
+            if link.relation == "on" and bearer.noun.said == "stand" and own:
+                bearer.noun = replace(bearer.noun, words=own[0], kind=own[0], guessed="")
         on_wall, above = f"wall {thing.head.replace('bookshelf', 'shelf')}", link.relation == "above"
         if place == "wall" and above and on_wall in CATALOGUE and " " not in noun.said:
             thing.noun = replace(noun, words=on_wall, kind=on_wall)

@@ -168,7 +168,8 @@ class Relating(About):
         first, its = self.at, chunk.det == "its"
         self.about = [] if self._turned_round(first, self.at + (not its)) else subjects
         of_it = its and not {"its", "their"} & {*chunk.adjectives}  # "on the right a bed"
-        it = self._led_back(chunk.value) if of_it else self._meant("it", chunk.value)
+        whose = "them" if "their" in chunk.adjectives else "it"
+        it = self._led_back(chunk.value) if of_it else self._meant(whose, chunk.value)
         objects = list[Mention | Place](it) if its else self._objects(chunk)
         self._keep(chunk.value, objects, pronoun=its or self._ahead(-1).kind == "pron", fronted=not subjects)
         if not self._in_turn(chunk, objects):

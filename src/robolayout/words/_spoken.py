@@ -21,7 +21,7 @@ from robolayout.words._said import (
     several,
     topped,
 )
-from robolayout.words._ways import OTHER_SIDE
+from robolayout.words._ways import OTHER_SIDE, SLEPT_ON
 
 AXES = {
     **dict.fromkeys(("left", "right"), "across"),
@@ -135,6 +135,9 @@ class Spoken:
         own = named(self.about)
         bearers = [named(k.objects) for k in self.said.links if k.relation == "on" and own & named(k.subjects)]
         own = own.union(*bearers)  # "a camera on a tripod before it"
+        beds = [thing for thing in self.said.things if thing.head in SLEPT_ON and thing not in own]
+        if relation == "foot" and beds:
+            return [Mention(beds[-1])]  # "a wardrobe opposite the beds and a rug at their feet"
         if word.startswith("the row"):
             rows = next((list(k.subjects) for k in reversed(self.said.links) if k.relation in small.ORDERS), [])
             others = [m for m in self.recent if several(m) and m.thing not in own | named(rows)]

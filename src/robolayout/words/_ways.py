@@ -116,7 +116,7 @@ ENDS = {"front": "front", "behind": "back"}
 BY_TWOS: Mapping[str, Ways] = {
     "mutual": ((("facing_pair",),),),
     "pairs": ((("near", AT_TABLE),),),
-    "backs": ((("behind", 0.0, AT_TABLE), ("align_with", 180.0)),),
+    "backs": ((("behind", 0.0, TOUCHING), ("align_with", 180.0)),),
     "mutual desks": ((("behind", 0.0, TOUCHING), ("align_with", 180.0)),),
 }
 """What the second of every two is asked to be to the first."""

@@ -45,6 +45,7 @@ class Costs:
     bad: float = 2.5  # cost above which a place counts as bad enough to try something else
     shares: tuple[float, float, float, float] = (1.0, 0.85, 0.7, 0.5)
     """Shares of a set of equal things for which a grid is tried; the rest stands where it can."""
+    block: int = 3  # things of which walls are the first place that stand free in a grid, at least
     tight: float = 1.2
     ragged: float = 1.0
     """Cost of a grid whose neighbours touch, and of each place that its last row leaves empty."""
@@ -244,17 +245,18 @@ class Attempt:
 
     def _in_rows(self, clusters: Sequence[Cluster], modes: Modes, weights: Mapping[str, float]) -> list[Cluster]:
         """Place what fits well along the walls, put the rest into a grid, and return what fits nowhere."""
-        left, told = list(clusters), self.site.wants[clusters[0].anchor].in_told_rows
-        if told:
+        left, least = list(clusters), 2
+        if self.site.wants[clusters[0].anchor].in_told_rows:
             out = uncommon(self.site, clusters)
             if self._place_grid([self._without_own(cluster, out) for cluster in clusters], weights, 0):
                 self._place_alone(out)
                 return []
         elif next(iter(modes)) == "wall":
             left = [one for one in clusters if not self._place(one, {"wall": 0.0}, weights, limit=COSTS.bad)]
+            least = COSTS.block
         for equal in alike(self.site, left):
             for count in sorted({max(2, round(len(equal) * share)) for share in COSTS.shares}, reverse=True):
-                if count <= len(equal) and self._place_grid(equal[:count], weights, len(equal) - count):
+                if least <= count <= len(equal) and self._place_grid(equal[:count], weights, len(equal) - count):
                     left = [one for one in left if one not in equal[:count]]
                     break
         return left

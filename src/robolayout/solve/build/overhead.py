@@ -132,7 +132,7 @@ def _hang_cost(site: Site, name: str, wall: Wall, t: float) -> tuple[float, Spot
     if used:
         middle = min(middle, top + height / 2)
     middle = min(max(middle, lift + above), site.room.wall_height - height / 2 - 0.03)
-    takers = site.wall_takers(wall)
+    takers = site.wall_takers(wall, depth)
     rect = (t - width / 2, middle - height / 2, t + width / 2, middle + height / 2)
     yaw = wall_yaw(wall)
     member = Member(name, *wall.point(t, depth / 2 + WALL_GAP / 2), yaw, middle - height / 2)

@@ -72,11 +72,12 @@ class Said:
         first = {name: Member(name, *poses[0].tolist()) for name, poses in moving.items()}
         now = Layout({name: _pose(self.scene, member) for name, member in (first | dict(placed)).items()})
         for one in about:
-            if not one.names <= there or len(one.names & moving.keys()) == len(one.names) > 1:
+            if one.names <= moving.keys() and len(one.names) > 1:
                 continue
             best = np.full(len(poses), np.inf)
             for way in one.ways:
-                rows = [term for part in way for term in part.terms(self.scene, now) if isinstance(term, FrameTerm)]
+                known = [part for part in way if there.issuperset(part.asset_names())]
+                rows = [term for part in known for term in part.terms(self.scene, now) if isinstance(term, FrameTerm)]
                 best = np.minimum(best, sum((self._missed(row, moving, placed) for row in rows), np.zeros(len(poses))))
             total += MISSED * (best > SLACK) + PER_METRE * np.minimum(best, FARTHEST)
         return total

@@ -44,8 +44,8 @@ HAIR = 0.002
 NEAR_WALL = 0.6
 """Metres from a wall within which a thing stands before it."""
 
-AT_WALL = 0.35
-"""Metres from a wall within which a thing covers it."""
+AT_WALL, NARROW = 0.35, 0.4
+"""Metres from a wall within which a thing covers it, and metres of width up to which it hides little of what hangs behind it."""
 
 
 @dataclass(frozen=True)
@@ -350,14 +350,22 @@ class Site:
                 top = spot.member.bottom + self.size(name)[2]
                 self.spans.append(Span(name, wall.index, span[2], (span[0], spot.member.bottom, span[1], top)))
 
-    def wall_takers(self, wall: Wall) -> list[tuple[Rect, str]]:
-        """Return what covers a wall: (start, low, end, high) along it and up it, in metres, with a name each."""
+    def wall_takers(self, wall: Wall, depth: float = math.inf) -> list[tuple[Rect, str]]:
+        """Return what covers a wall: (start, low, end, high) along it and up it, in metres, with a name each.
+
+        What is to hang there, so many metres deep, may hang behind a vase that stands on something.
+        """
         takers: list[tuple[Rect, str]] = []
         for kind, openings in (("door", self.room.doors), ("window", self.room.windows)):
             here = (o for o in openings if o.wall == wall.index)
             takers += [((o.offset, o.sill, o.offset + o.width, o.sill + o.height), kind) for o in here]
-        takers += [(s.rect, s.name) for s in self.spans if s.wall == wall.index and s.depth <= AT_WALL]
-        return takers
+        near = (span for span in self.spans if span.wall == wall.index and span.depth <= AT_WALL)
+        return [*takers, *((span.rect, span.name) for span in near if not self._before(span, depth))]
+
+    def _before(self, span: Span, depth: float) -> bool:
+        """Whether a thing is narrow, stands on another and leaves so many metres to the wall behind it."""
+        narrow = span.rect[2] - span.rect[0] <= NARROW and self.spots[span.name].mode == "join"
+        return narrow and span.rect[1] > 0.0 and span.depth > depth + HAIR
 
     def wall_conflict(self, rect: Rect, takers: Sequence[tuple[Rect, str]], margin: float = 0.05) -> float:
         """Return the share of a rectangle on a wall that something else covers, at most 1."""

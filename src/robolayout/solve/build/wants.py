@@ -30,6 +30,7 @@ from robolayout.constraints.in_rows import InRows
 from robolayout.constraints.keep_clear import KeepClear
 from robolayout.constraints.left_of import LeftOf
 from robolayout.constraints.mounted_on import MountedOn
+from robolayout.constraints.near import Near
 from robolayout.constraints.next_to import NextTo
 from robolayout.constraints.on_top_of import OnTopOf
 from robolayout.constraints.point_towards import PointTowards
@@ -63,7 +64,6 @@ Kind = TypeVar("Kind", bound=Relation)
 
 Beside = NextTo | LeftOf | RightOf | InFrontOf | Behind
 """Relations that put a thing at a side of another."""
-
 
 SIDES = {"left_of": "left", "right_of": "right", "in_front_of": "front", "behind": "back"}
 """The side that a relation names."""
@@ -109,6 +109,7 @@ class Want:
     # metres kept free on some sides; none: as its kind is used
     clear: Mapping[str, float] = field(default_factory=dict[str, float])
     face: Face | None = None  # what it has in front of it
+    at: tuple[str, ...] = ()  # what it is demanded to be near, or at a side of
     over: tuple[str, ...] = ()  # what it hangs over or lies under, best first
     height: float = 0.0  # height in metres of the centre of a hung thing; 0 lets size decide
     anchor: str | None = None  # the thing that it stands at
@@ -127,6 +128,11 @@ class Want:
         if self.join is None:
             raise ValueError(f"{self.name} stands by itself")
         return self.join
+
+    @property
+    def minds(self) -> tuple[str, ...]:
+        """What is there before it, if it stands on the floor: what it looks at, and what it is demanded to be near."""
+        return (*(self.face.names if self.face else ()), *self.at) if self.standing else ()
 
     @property
     def in_told_rows(self) -> bool:
@@ -174,10 +180,10 @@ def wants_of(scene: Scene, program: Program) -> dict[str, Want]:
 
 
 def _seen_first(wants: dict[str, Want]) -> dict[str, Want]:
-    """Return the same with what hangs and is looked at right before the first that looks at it."""
+    """Return the same with what hangs, and others look at or stand at, right before the first of these."""
     turns = {name: float(want.turn) for name, want in wants.items()}
     for want in wants.values():
-        for name in want.face.names if want.face and want.standing else ():
+        for name in want.minds:
             if name in wants and wants[name].hung:
                 turns[name] = min(turns[name], want.turn - 0.5)
     return dict(sorted(wants.items(), key=lambda item: turns[item[0]]))
@@ -208,10 +214,10 @@ def _top(want: Want, wants: Mapping[str, Want]) -> str | None:
 
 
 def late(wants: Mapping[str, Want]) -> set[str]:
-    """Return what is hung and laid once the floor is furnished: all of that but what others look at or what is named first."""
-    faced = {name for want in wants.values() if want.face and want.standing for name in want.face.names}
+    """Return what is hung and laid once the floor is furnished: all but what others look or stand at or what is named first."""
+    minded = {name for want in wants.values() for name in want.minds}
     first = min((want.turn for want in wants.values() if want.standing), default=0)
-    return {name for name, want in wants.items() if not want.standing and name not in faced and want.turn >= first}
+    return {name for name, want in wants.items() if not want.standing and name not in minded and want.turn >= first}
 
 
 def _subjects(relation: Relation) -> tuple[str, ...]:
@@ -286,6 +292,7 @@ class _Reading:
             near=tuple((names, w) for one, w in self._wished(Grouped) if (names := one.asset_names()[1:])),
             clear={one.side: one.depth for one, _ in self._all(KeepClear)},
             face=face,
+            at=tuple(self._at()),
             over=tuple(self._over()),
             height=next((one.height for one, _ in self._all(MountedOn) if one.height is not None), 0.0),
             anchor=anchor,
@@ -425,6 +432,14 @@ class _Reading:
         if not targets:
             return None
         return Face(targets, abs(looks[0][1]) > 90.0, (distance[0], distance[1]), max(weights))
+
+    def _at(self) -> Iterator[str]:
+        """Yield what it is demanded to be near, or at a side of, in any way."""
+        for one in self.said:
+            ways = one.relation.choices if isinstance(one.relation, AnyOf) else ((one.relation,),)
+            mine = (part for way in ways for part in way if one.wish is None and self.bare.name in _subjects(part))
+            to = (part.b for part in mine if isinstance(part, Beside | Near))
+            yield from (ref.name for ref in to if isinstance(ref, AssetRef))
 
     def _over(self) -> Iterator[str]:
         """Yield what it hangs over or lies under, best first."""
