@@ -212,36 +212,23 @@ def _frame(wall: Wall, hole: Opening, name: str, tone: Material, *, depth: Point
 
 
 def _door(wall: Wall, door: Opening, name: str, look: RoomStyle) -> Iterator[Part]:
+    """Yield its frame; for each leaf a board, a raised panel and a handle, which turn about the edge at the side they swing to."""
     yield from _frame(wall, door, name, look.trim, depth=(-SHELL.thickness + 0.004, -0.002))
-    t = min(SHELL.frame, 0.15 * door.width, 0.15 * door.height)
-    near, far, top = door.offset + t + 0.003, door.offset + door.width - t - 0.003, door.height - t - 0.003
-    if door.leaves == 1:
-        yield from _hung(wall, door, name, look, (near, far, top), left=door.hinge == "left")
-        return
-    for ends, left in (((near, door.center - 0.002), False), ((door.center + 0.002, far), True)):
-        yield from _hung(wall, door, name, look, (*ends, top), left=left)
-
-
-def _hung(
-    wall: Wall, door: Opening, name: str, look: RoomStyle, face: tuple[float, float, float], *, left: bool
-) -> Iterator[Part]:
-    """Yield a leaf, a raised panel and a handle; they turn about the edge at the side they swing to."""
-    near, far, top = face
-    inset = 0.14 * (far - near)
-    grip = near + 0.06 if left else far - 0.18
-    built = (
-        _bar(name, look.door, wall, (near, far), SHELL.leaf, (0.004, top)),
-        _bar(name, look.trim, wall, (near + inset, far - inset), (-0.034, -0.029), (0.55 * top, top - inset)),
-        _bar(name, PLAIN["steel"], wall, (grip, grip + 0.12), (-0.033, -0.012), (1.0, 1.02)),
-    )
-    x, y = wall.point(far if left else near, SHELL.leaf[1] if door.swing == "in" else SHELL.leaf[0])
-    up = 1.0 if left == (door.swing == "out") else -1.0
-    hand = (*wall.point(grip + 0.06), 1.01)
-    wide = (-math.pi / 2, 0.0) if door.open else (0.0, math.pi / 2)
-    own = name if door.leaves == 1 else f"{name} {'left' if left else 'right'}"
-    joint = Joint(own, "hinge", (0.0, 0.0, up), (x, y, 0.0), wide, hand, (1.0, 1.02))
-    for part in built:
-        yield replace(part, vertices=turned(joint, part.vertices, -wide[0]), joint=joint)
+    rim = min(SHELL.frame, 0.15 * door.width, 0.15 * door.height) + 0.003
+    top, wide = door.height - rim, (-math.pi / 2, 0.0) if door.open else (0.0, math.pi / 2)
+    for leaf in door.hung(rim, 0.004):
+        near, far = sorted((leaf.hinge, leaf.hinge + leaf.toward * leaf.width))
+        inset, grip = 0.14 * leaf.width, leaf.hinge + leaf.toward * (leaf.width - 0.12)
+        built = (
+            _bar(name, look.door, wall, (near, far), SHELL.leaf, (0.004, top)),
+            _bar(name, look.trim, wall, (near + inset, far - inset), (-0.034, -0.029), (0.55 * top, top - inset)),
+            _bar(name, PLAIN["steel"], wall, (grip - 0.06, grip + 0.06), (-0.033, -0.012), (1.0, 1.02)),
+        )
+        axis, at = (0.0, 0.0, float(leaf.toward * leaf.into)), wall.point(leaf.hinge, SHELL.leaf[leaf.into > 0])
+        own = name if door.leaves == 1 else f"{name} {'right' if leaf.toward > 0 else 'left'}"
+        joint = Joint(own, "hinge", axis, (*at, 0.0), wide, (*wall.point(grip), 1.01), (1.0, 1.02))
+        for part in built:
+            yield replace(part, vertices=turned(joint, part.vertices, -wide[0]), joint=joint)
 
 
 def _window(wall: Wall, window: Opening, name: str, look: RoomStyle) -> Iterator[Part]:

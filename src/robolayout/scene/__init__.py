@@ -16,12 +16,12 @@ from robolayout.scene.io import (
     scene_to_dict,
 )
 from robolayout.scene.layout import Layout, Pose, Snapshot, Trace, vertical_span
-from robolayout.scene.room import OPENINGS, ROUNDING, Opening, Point, Room, Wall
+from robolayout.scene.room import OPENINGS, ROUNDING, Leaf, Opening, Point, Room, Wall
 from robolayout.scene.scene import DRESSINGS, Scene
 
 __all__ = [
     "DEFAULT_AGENT", "DRESSINGS", "FLAGS", "FLAT_HEIGHT", "OPENINGS", "ROUNDING", "Agent", "Asset", "Figure", "Hold",
-    "Layout", "Opening", "Point", "Pose", "Room", "Scene", "Snapshot", "Trace", "Wall", "agent_from_dict",
+    "Layout", "Leaf", "Opening", "Point", "Pose", "Room", "Scene", "Snapshot", "Trace", "Wall", "agent_from_dict",
     "agent_names", "agent_to_dict", "check_dress", "check_layout", "digest", "layout_digest", "layout_from_dict",
     "load_agent", "load_agents", "load_layout", "load_scene", "program_variable", "scene_digest", "scene_from_dict",
     "scene_to_dict", "split_name", "variable_name", "vertical_span",

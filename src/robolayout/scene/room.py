@@ -73,6 +73,16 @@ class Wall:
 
 
 @dataclass(frozen=True)
+class Leaf:
+    """One leaf of a door: how it hangs, and where it opens to."""
+
+    hinge: float  # metres along the wall to the edge at which it hangs
+    toward: int  # 1 where it lies towards the wall's end from there while it is shut, -1 towards its start
+    width: float  # metres
+    into: int  # 1 where it opens into the room, -1 out of it
+
+
+@dataclass(frozen=True)
 class Opening:
     """A door or window in a wall."""
 
@@ -94,6 +104,18 @@ class Opening:
     def center(self) -> float:
         """Metres from the wall's start to the middle of the opening."""
         return self.offset + self.width / 2
+
+    @property
+    def outward(self) -> float:
+        """Metres out of the room that a door's leaves sweep; 0 where they swing in."""
+        return self.width / self.leaves if self.swing == "out" else 0.0
+
+    def hung(self, rim: float = 0.0, gap: float = 0.0) -> tuple[Leaf, ...]:
+        """Return a door's leaves, `rim` metres inside the opening's edges and with `gap` metres between two."""
+        into, clear = 1 if self.swing == "in" else -1, self.width - 2 * rim
+        wide = clear if self.leaves == 1 else (clear - gap) / 2
+        right, left = Leaf(self.offset + rim, 1, wide, into), Leaf(self.offset + self.width - rim, -1, wide, into)
+        return (right, left) if self.leaves == 2 else (left,) if self.hinge == "left" else (right,)
 
 
 @dataclass(frozen=True)
@@ -117,6 +139,16 @@ class Room:
     def bounds(self) -> tuple[float, float, float, float]:
         """Smallest x, smallest y, largest x, largest y in metres."""
         xs, ys = zip(*self.vertices, strict=True)
+        return (min(xs), min(ys), max(xs), max(ys))
+
+    def extent(self, free: float = 0.0) -> tuple[float, float, float, float]:
+        """Return `bounds`, larger where leaves swing out of the room by more than `free` metres, metres."""
+        swept = [
+            self.walls[door.wall].point(edge, min(free - door.outward, 0.0))
+            for door in self.doors
+            for edge in (door.offset, door.offset + door.width)
+        ]
+        xs, ys = zip(*self.vertices, *swept, strict=True)
         return (min(xs), min(ys), max(xs), max(ys))
 
     @cached_property
