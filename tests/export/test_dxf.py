@@ -53,10 +53,11 @@ def test_walls_leave_gaps_for_openings_and_meet_at_corners(plan: Drawing, scene:
     assert any(corner == pytest.approx((2.9, 3.6)) for corner in outer)
 
 
-def test_the_door_swings_into_the_room(plan: Drawing) -> None:
+def test_the_door_hangs_left_and_swings_out(plan: Drawing) -> None:
     (arc,) = plan.modelspace().query("ARC")
-    assert (arc.dxf.radius, arc.dxf.start_angle, arc.dxf.end_angle) == (0.9, 0.0, 90.0)
-    assert tuple(arc.dxf.center)[:2] == (3.6, 0.0)
+    assert (arc.dxf.radius, arc.dxf.start_angle, arc.dxf.end_angle) == (0.9, 180.0, 270.0)
+    assert tuple(arc.dxf.center)[:2] == (4.5, -0.1)
+    assert plan.header["$EXTMIN"][1] < -1.0, "its leaf is on the drawing"
 
 
 def test_names_are_never_upside_down_and_routes_are_lines(plan: Drawing, layout: Layout) -> None:

@@ -47,7 +47,7 @@ def write(scene: Scene, layout: Layout, options: Options) -> bytes:
             entities += _polyline("ROUTES", line)
     for asset, pose in rows:
         entities += _insert(blocks[asset.name], asset, pose) + _name(asset, pose)
-    x0, y0, x1, y1 = scene.room.bounds
+    x0, y0, x1, y1 = scene.room.extent()
     head = data_file("plan.dxf").format(left=x0 - 0.5, low=y0 - 0.5, right=x1 + 0.5, high=y1 + 0.5)
     groups: list[Group] = [(int(code), value) for code, value in (line.split(" ", 1) for line in head.splitlines())]
     groups += [
@@ -159,13 +159,17 @@ def _solid(length: float, openings: Sequence[Opening]) -> list[tuple[float, floa
 
 
 def _door(room: Room, door: Opening) -> list[Group]:
-    """Return a door leaf, open by 90 degrees into the room, and its swing."""
-    wall = room.walls[door.wall]
-    hinge, latch = wall.point(door.offset), wall.point(door.offset, door.width)
-    start = math.degrees(math.atan2(wall.direction[1], wall.direction[0]))
-    groups = _polyline("DOORS", (hinge, latch))
-    groups += [(0, "ARC"), (8, "DOORS"), (10, hinge[0]), (20, hinge[1]), (30, 0.0), (40, door.width)]
-    return [*groups, (50, start % 360.0), (51, (start + 90.0) % 360.0)]
+    """Return a door's leaves, open by 90 degrees, and their swings."""
+    wall, groups = room.walls[door.wall], list[Group]()
+    for leaf in door.hung():
+        face = 0.0 if leaf.into > 0 else -DRAWING.wall
+        hinge = wall.point(leaf.hinge, face)
+        groups += _polyline("DOORS", (hinge, wall.point(leaf.hinge, face + leaf.into * leaf.width)))
+        groups += [(0, "ARC"), (8, "DOORS"), (10, hinge[0]), (20, hinge[1]), (30, 0.0), (40, leaf.width)]
+        shut_open = ((leaf.toward, wall.direction), (leaf.into, wall.normal))
+        angles = [math.degrees(math.atan2(sign * y, sign * x)) % 360.0 for sign, (x, y) in shut_open]
+        groups += zip((50, 51), angles[:: leaf.toward * leaf.into], strict=True)
+    return groups
 
 
 @reader("DXF file")
