@@ -48,6 +48,17 @@ L_SHAPED = Room(
 )
 SQUARE = Room(((0, 0), (4.6, 0), (4.6, 4.8), (0, 4.8)), 2.6, doors=(Opening(1, 3.8, 0.9, 2.05),))
 SKEW = Room(((0, 0), (5, 0), (6, 3), (3, 5.5), (0, 4)), 2.6, doors=(Opening(0, 0.3, 0.9, 2.05),))
+DOORS_OUT = Room(
+    ((0, 0), (6, 0), (6, 4.5), (0, 4.5)),
+    2.6,
+    doors=(
+        Opening(0, 0.5, 1.0, 2.05),
+        Opening(0, 4.0, 0.9, 2.05, hinge="right"),
+        Opening(1, 1.0, 0.9, 2.05, swing="in"),
+        Opening(3, 1.0, 1.8, 2.05),
+    ),
+    windows=(Opening(2, 2.2, 1.5, 1.2, 0.9),),
+)
 UNICODE = ["桌子", "Donaudampfschifffahrtsgesellschaftskapitänsmützenablage" * 2, "письменный стол", "x</text><b>&"]
 
 ROOMS = {
@@ -62,6 +73,7 @@ ROOMS = {
     ),
     "long Unicode names": furnished(SQUARE, [(name, 0.8, 1.2, 1.0, 0.7 + 1.1 * k) for k, name in enumerate(UNICODE)]),
     "no right angle": furnished(SKEW, [("sofa", 0.9, 2.0, 3.0, 3.0)]),
+    "doors out": furnished(DOORS_OUT, [("sofa", 0.9, 2.0, 2.5, 2.2)]),
     "tiny": furnished(Room(((0, 0), (1.6, 0), (1.6, 2.2), (0, 2.2)), 2.6), [("toilet", 0.7, 0.4, 0.8, 1.8)]),
     "vast": furnished(Room(((0, 0), (500, 0), (500, 500), (0, 500)), 9), [("rack", 20.0, 30.0, 60.0, 60.0)]),
     "empty": (Scene(SQUARE, (), agents=(WHEELS,), name="empty"), Layout({})),
@@ -157,7 +169,7 @@ def test_every_number_of_the_list_is_on_its_thing(case):
     assert cm in listed
 
 
-@pytest.mark.parametrize("case", ["long", "L-shaped", "no right angle"])
+@pytest.mark.parametrize("case", ["long", "L-shaped", "no right angle", "doors out"])
 def test_walls_doors_and_windows_have_their_lengths(case):
     room = ROOMS[case][0].room
     written = [words.text for words in texts(printed(case))]

@@ -33,6 +33,7 @@ class Chain:
     marks: tuple[float, ...]  # distances from the origin at which a length ends, metres, rising
     depths: tuple[float, ...]  # for each mark, how far the wall it belongs to stands back from the origin, metres
     level: int  # its place outwards, from 0
+    swept: float  # metres out of the origin's wall that leaves of doors sweep
 
     def point(self, along: float, outward: float) -> Point:
         """Return the point so far along the line and out of the room, metres."""
@@ -45,9 +46,18 @@ def chains(room: Room) -> tuple[Chain, ...]:
     return tuple(chain for walls in _sides(room) for chain in _chains(room, walls))
 
 
-def margin(room: Room) -> float:
-    """Return how many millimetres beyond the walls' inner faces the dimension lines take, their texts included."""
-    return SHEET.beside + SHEET.step * max(chain.level for chain in chains(room)) + 4.0
+def chained(room: Room, k: float) -> tuple[float, float, float, float]:
+    """Return the bounds in metres of a room with its dimension lines and their lengths, at `k` millimetres to a metre."""
+    ends = [
+        chain.point(at, _off(chain, k) + 4.0 / k) for chain in chains(room) for at in (chain.marks[0], chain.marks[-1])
+    ]
+    xs, ys = zip(*ends, strict=True)
+    return (min(xs), min(ys), max(xs), max(ys))
+
+
+def _off(chain: Chain, k: float) -> float:
+    """Return how far a line stands out of its origin's inner face, beyond leaves that swing out, metres."""
+    return max(SHEET.beside / k, chain.swept + SHEET.past / k) + SHEET.step * chain.level / k + PLAN.wall
 
 
 def _sides(room: Room) -> list[list[Wall]]:
@@ -75,10 +85,12 @@ def _chains(room: Room, walls: Sequence[Wall]) -> Iterator[Chain]:
     origin = far.point(shift)
     openings: list[tuple[float, float]] = []
     ends: list[tuple[float, float]] = []
+    swept = 0.0
     for wall in walls:
         begin = _along(wall.start, first.direction) - start
         back = _along(origin, out) - _along(wall.start, out)
         ends += [(begin, back), (begin + wall.length, back)]
+        swept = max([swept, *(door.outward - back for door in room.doors if door.wall == wall.index)])
         for opening in (*room.doors, *room.windows):
             if opening.wall == wall.index:
                 openings += [(begin + opening.offset, back), (begin + opening.offset + opening.width, back)]
@@ -88,7 +100,7 @@ def _chains(room: Room, walls: Sequence[Wall]) -> Iterator[Chain]:
     for level, row in enumerate(rows):
         kept = [row[0], *(b for a, b in pairwise(row) if b[0] - a[0] > SHEET.same)]
         marks, depths = zip(*kept, strict=True)
-        yield Chain(origin, first.direction, out, marks, depths, level)
+        yield Chain(origin, first.direction, out, marks, depths, level, swept)
 
 
 def _along(point: Point, direction: Point) -> float:
@@ -99,7 +111,7 @@ def draw_chains(sheet: Drawing, room: Room, place: Place, k: float, names: Seque
     """Draw the dimension lines of a room, `k` millimetres to a metre; return the outlines of their lengths and of `names`."""
     lengths: list[tuple[Point, Point, str]] = []
     for chain in chains(room):
-        off = (SHEET.beside + SHEET.step * chain.level) / k + PLAN.wall
+        off = _off(chain, k)
         stops = [place(*chain.point(at, off)) for at in chain.marks]
         sheet.line([stops[0], stops[-1]], QUIET, width=0.13)
         for at, back, (x, y) in zip(chain.marks, chain.depths, stops, strict=True):

@@ -13,6 +13,7 @@ class PlanStyle:
     scales: tuple[int, ...] = (25, 50, 100, 200, 500)  # scales that a plan may have
     longest: float = 180.0  # millimetres that the room may take; the first scale that fits is used
     margin: float = 6.0  # millimetres around the room's walls
+    least: float = 4.0  # millimetres around leaves of doors that swing out
     samples: int = 3  # supersampling of the Pillow form along each side
     wall: float = 0.12  # drawn thickness of walls, metres
     arrow: float = 1.8  # length of an arrow's head, millimetres
@@ -54,6 +55,7 @@ class SheetStyle:
     shortest: int = 4  # lines that a column holds at least
     head: float = 1.22  # font size of a heading, in sizes of the text below it
     beside: float = 8.0  # millimetres between a wall and its first dimension line: room for numbers
+    past: float = 3.5  # millimetres between a leaf that swings out and that line: room for lengths
     step: float = 5.5  # millimetres between dimension lines
     lengths: tuple[float, float, float] = (2.1, 1.8, 1.5)  # font sizes that are tried for a length, millimetres
     same: float = 1e-3  # metres within which two marks on a chain are one

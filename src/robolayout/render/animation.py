@@ -68,10 +68,10 @@ class Stage:
     """The sheet of every frame: floor and walls, and where metres land on it."""
 
     def __init__(self, room: Room, strip: float) -> None:
-        x0, y0, x1, y1 = room.bounds
+        bounds = x0, y0, x1, y1 = room.extent()
         self.scale = min((FILM.sheet - 8.0) / (x1 - x0 + 2 * PLAN.wall), 140.0 / (y1 - y0 + 2 * PLAN.wall))
         top = 4.0 + PLAN.wall * self.scale
-        self.place = placing(room, self.scale, (FILM.sheet - (x1 - x0) * self.scale) / 2, top)
+        self.place = placing(bounds, self.scale, (FILM.sheet - (x1 - x0) * self.scale) / 2, top)
         self.sheet = Drawing(FILM.sheet, round(2 * top + (y1 - y0) * self.scale + strip))
         draw_floor(self.sheet, room, self.place)
         draw_walls(self.sheet, room, self.place)

@@ -11,7 +11,7 @@ import shapely
 from robolayout.render._drawing import Drawing, Point, rectangle
 from robolayout.render._style import PLAN
 from robolayout.render.palette import BLOCKED, FLOOR, FREE, ISLAND, PAPER, QUIET, WALL, asset_colors
-from robolayout.scene import Agent, Asset, Layout, Opening, Pose, Room, Scene, Wall, split_name, vertical_span
+from robolayout.scene import Agent, Asset, Layout, Leaf, Opening, Pose, Room, Scene, Wall, split_name, vertical_span
 
 Rings = tuple[tuple[Point, ...], ...]
 
@@ -44,9 +44,9 @@ class PlanMarks:
 Place = Callable[[float, float], Point]
 
 
-def placing(room: Room, k: float, left: float, top: float) -> Place:
-    """Return where points of a room land: `k` millimetres to a metre, the corner of its bounds at (left, top)."""
-    x0, _, _, y1 = room.bounds
+def placing(bounds: tuple[float, ...], k: float, left: float, top: float) -> Place:
+    """Return where points of a room land: `k` millimetres to a metre, the upper left corner of its bounds at (left, top)."""
+    x0, _, _, y1 = bounds
     return lambda x, y: (left + (x - x0) * k, top + (y1 - y) * k)
 
 
@@ -86,40 +86,42 @@ def _draw_window(sheet: Drawing, room: Room, window: Opening, place: Place) -> N
 
 
 def _draw_door(sheet: Drawing, room: Room, door: Opening, place: Place) -> None:
-    """Draw the threshold, the open leaf and its swing into the room; the hinge is nearer to the wall's end."""
+    """Draw the threshold, and each leaf open at the face of the wall to which it opens, with its swing."""
     wall = room.walls[door.wall]
-    start, end = door.offset, door.offset + door.width
     for depth in (0.0, -PLAN.wall):
-        edge = [place(*wall.point(along, depth)) for along in (start, end)]
+        edge = [place(*wall.point(along, depth)) for along in (door.offset, door.offset + door.width)]
         sheet.line(edge, QUIET, width=0.1, dash=(0.6, 0.5))
-    for hinge, sign, radius in _leaves(room, door):
-        sheet.line([place(*p) for p in _swing(wall, hinge, sign, radius)], QUIET, width=0.13)
-        leaf = [place(*wall.point(*corner)) for corner in rectangle(hinge, 0, hinge + sign * 0.04, radius)]
-        sheet.polygon([leaf], PAPER, stroke=WALL, width=0.16)
+    for leaf in door.hung():
+        sheet.line([place(*p) for p in _swing(wall, leaf)], QUIET, width=0.13)
+        face = _face(leaf)
+        board = rectangle(leaf.hinge, face, leaf.hinge + leaf.toward * 0.04, face + leaf.into * leaf.width)
+        sheet.polygon([[place(*wall.point(*corner)) for corner in board]], PAPER, stroke=WALL, width=0.16)
 
 
 def swings(room: Room) -> tuple[tuple[Point, ...], ...]:
     """Return the open leaf of each door and the arc of its edge as one line, metres."""
     return tuple(
-        (room.walls[door.wall].point(hinge), *reversed(_swing(room.walls[door.wall], hinge, sign, radius)))
+        (room.walls[door.wall].point(leaf.hinge, _face(leaf)), *reversed(_swing(room.walls[door.wall], leaf)))
         for door in room.doors
-        for hinge, sign, radius in _leaves(room, door)
+        for leaf in door.hung()
     )
 
 
-def _leaves(room: Room, door: Opening) -> list[tuple[float, int, float]]:
-    """Return for each leaf of a door its hinge along the wall, which way it opens from there, and its width, metres."""
-    start, end = door.offset, door.offset + door.width
-    if door.width > 1.2:
-        return [(start, 1, door.width / 2), (end, -1, door.width / 2)]
-    at_start = door.offset < room.walls[door.wall].length - end
-    return [(start, 1, door.width)] if at_start else [(end, -1, door.width)]
+def named_at(door: Opening) -> float:
+    """Return how far out of the wall a door is named at least, metres: clear of the arcs where two leaves swing out."""
+    return 0.8 * door.outward if door.leaves == 2 else 0.0
 
 
-def _swing(wall: Wall, hinge: float, sign: int, radius: float) -> list[Point]:
+def _face(leaf: Leaf) -> float:
+    """Return the depth of the wall's face at which a leaf hangs, metres into the room."""
+    return 0.0 if leaf.into > 0 else -PLAN.wall
+
+
+def _swing(wall: Wall, leaf: Leaf) -> list[Point]:
     """Return the arc of a leaf's edge, from the wall to where it stands open, metres."""
     angles = [math.pi / 2 * k / 16 for k in range(17)]
-    return [wall.point(hinge + sign * radius * math.cos(a), radius * math.sin(a)) for a in angles]
+    turned = [(leaf.width * math.cos(a), leaf.width * math.sin(a)) for a in angles]
+    return [wall.point(leaf.hinge + leaf.toward * x, _face(leaf) + leaf.into * y) for x, y in turned]
 
 
 @dataclass(frozen=True)

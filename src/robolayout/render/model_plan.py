@@ -15,7 +15,17 @@ from robolayout.render._drawing import Drawing, Point, text_width
 from robolayout.render._marked import Naming, draw_labels, draw_marks, millimetres
 from robolayout.render._style import MODEL_PLAN, PLAN
 from robolayout.render.annotation import DOOR_COLOR, GRID_COLOR, WALL_COLOR, WHITE
-from robolayout.render.contents import Place, PlanMarks, Shown, draw_contents, draw_floor, draw_walls, placing, swings
+from robolayout.render.contents import (
+    Place,
+    PlanMarks,
+    Shown,
+    draw_contents,
+    draw_floor,
+    draw_walls,
+    named_at,
+    placing,
+    swings,
+)
 from robolayout.render.palette import INK, QUIET, TIGHT
 from robolayout.render.plan import draw_legend
 from robolayout.scene import Agent, Layout, Room, Scene, Wall
@@ -34,22 +44,23 @@ def model_plan(
 
 def _sheet(scene: Scene, layout: Layout, marks: PlanMarks, agent: Agent | None) -> Drawing:
     """Return the drawing, with a key below it for the things whose names find no place."""
-    x0, y0, x1, y1 = scene.room.bounds
+    x0, y0, x1, y1 = scene.room.extent()
     k = MODEL_PLAN.longest / max(x1 - x0, y1 - y0)
+    bounds = x0, y0, x1, y1 = scene.room.extent((MODEL_PLAN.edge - PLAN.least) / k)
     edge = MODEL_PLAN.edge + PLAN.wall * k
     width, height = max((x1 - x0) * k + 2 * edge, 0.6 * MODEL_PLAN.longest), (y1 - y0) * k + 2 * edge
     left = (width - (x1 - x0) * k) / 2
     sheet = Drawing(width, height)
 
-    room, place = scene.room, placing(scene.room, k, left, edge)
+    room, place = scene.room, placing(bounds, k, left, edge)
     shown = Shown(scene, layout, replace(marks, routes={}, arcs=(), parts=()), agent, place)
     draw_floor(sheet, room, place)
     draw_contents(sheet, shown)
     for area in _kept_free(scene, layout):
         _draw_hatched(sheet, [place(*corner) for corner in area])
+    draw_walls(sheet, room, place)
     _draw_ticks(sheet, room, place)
     draw_marks(sheet, shown)
-    draw_walls(sheet, room, place)
     _draw_names(sheet, room, place)
     numbers = {asset.name: f"#{i}" for i, asset in enumerate(scene.assets, 1)}
     texts = {name: (scene.expressions[name], numbers[name]) for name in layout}
@@ -97,7 +108,8 @@ def _draw_ticks(sheet: Drawing, room: Room, place: Place) -> None:
                 dx, dy = (0.0, sign) if upright else (-sign, 0.0)
                 start = (x + dx * out, y + dy * out)
                 sheet.line([start, (start[0] + 1.5 * dx, start[1] + 1.5 * dy)], GRID_COLOR, width=0.3)
-                sheet.words((start[0] + 3.6 * dx, start[1] + 3.2 * dy), f"{value:g}", MODEL_PLAN.text, color=GRID_COLOR)
+                at = (start[0] + 3.6 * dx, start[1] + 3.2 * dy)
+                sheet.words(at, f"{value:g}", MODEL_PLAN.text, color=GRID_COLOR, halo=WHITE)
 
 
 def _draw_names(sheet: Drawing, room: Room, place: Place) -> None:
@@ -108,24 +120,26 @@ def _draw_names(sheet: Drawing, room: Room, place: Place) -> None:
     taken: dict[int, list[tuple[float, float]]] = {}
     for what, number, opening in named:
         wall, text = room.walls[opening.wall], f"{what} {number}"
-        taken.setdefault(wall.index, []).append((opening.center, text_width(text, MODEL_PLAN.text) / k))
+        out = named_at(opening) if what == "door" else 0.0
+        width = max(text_width(text, MODEL_PLAN.text) / k, opening.width)
+        taken.setdefault(wall.index, []).append((opening.center, width))
         ends = [place(*wall.point(s)) for s in (opening.offset, opening.offset + opening.width)]
         sheet.line(ends, DOOR_COLOR, width=0.8)
-        _write(sheet, wall, opening.center, text, DOOR_COLOR, place)
+        _write(sheet, wall, (opening.center, out), text, DOOR_COLOR, place)
     for wall in room.walls:
         text = f"walls[{wall.index}]"
         half, others = text_width(text, MODEL_PLAN.text) / k, taken.get(wall.index, ())
         spots = (wall.length * share for share in (0.5, 0.3, 0.7, 0.15, 0.85))
-        clear = (s for s in spots if all(abs(s - at) > (half + other) / 2 for at, other in others))
-        spot = next(clear, wall.length / 2)
-        _write(sheet, wall, spot, text, WALL_COLOR, place)
+        spot = max(spots, key=lambda s: min([0.0, *(abs(s - at) - (half + other) / 2 for at, other in others)]))
+        _write(sheet, wall, (spot, 0.0), text, WALL_COLOR, place)
 
 
-def _write(sheet: Drawing, wall: Wall, along: float, text: str, color: str, place: Place) -> None:
-    """Write a name outside a wall, upright where the wall is upright on the sheet."""
+def _write(sheet: Drawing, wall: Wall, at: Point, text: str, color: str, place: Place) -> None:
+    """Write a name outside a wall, so far along it and at least so far out, metres; upright where the wall is."""
+    along, out = at
     (x, y), (ox, oy) = place(*wall.point(along)), place(*wall.point(along, -1.0))
     k = math.dist((x, y), (ox, oy))
-    ux, uy, away = (ox - x) / k, (oy - y) / k, PLAN.wall * k + MODEL_PLAN.named_at
+    ux, uy, away = (ox - x) / k, (oy - y) / k, PLAN.wall * k + max(MODEL_PLAN.named_at, out * k)
     angle = 90.0 if abs(ux) > abs(uy) else 0.0
     sheet.words((x + ux * away, y + uy * away), text, MODEL_PLAN.text, color=color, angle=angle, halo=WHITE)
 

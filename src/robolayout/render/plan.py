@@ -11,7 +11,7 @@ from robolayout._errors import InputError
 from robolayout.render._drawing import Drawing, Point, rectangle, text_width
 from robolayout.render._marked import Naming, draw_labels, draw_marks
 from robolayout.render._style import PLAN
-from robolayout.render.contents import PlanMarks, Shown, draw_contents, draw_floor, draw_walls, placing
+from robolayout.render.contents import PlanMarks, Shown, draw_contents, draw_floor, draw_walls, placing, swings
 from robolayout.render.palette import BLOCKED, FREE, INK, ISLAND, NARROW, PAPER, QUIET, REACH, ROUTE, TIGHT, TURN
 from robolayout.scene import Agent, Layout, Scene
 
@@ -67,9 +67,9 @@ def draw_plan(
         scale: Denominator of the scale (50 is 1:50); None chooses.
     """
     marks = navigation or PlanMarks()
-    x0, y0, x1, y1 = scene.room.bounds
     scale = scale or plan_scale(scene)
     k = 1000 / scale
+    bounds = x0, y0, x1, y1 = scene.room.extent((PLAN.margin - PLAN.least) / k)
     head = 5.0 if title else 0.0
     foot = 15.0 if agent is not None or navigation is not None else 9.0
     border = PLAN.margin + PLAN.wall * k
@@ -79,8 +79,9 @@ def draw_plan(
 
     if title:
         sheet.words((width / 2, 6.0), title, min(3.4, 3.4 * (width - 8) / max(text_width(title, 3.4), 1)), color=INK)
-    naming = Naming((1.0, 1.0, sheet.width - 1, sheet.height - 1)) if names else None
-    draw_room(sheet, Shown(scene, layout, marks, agent, placing(scene.room, k, left, head + border)), naming)
+    box = (1.0, 1.0, sheet.width - 1, sheet.height - 1)
+    naming = Naming(box, lines=swings(scene.room)) if names else None
+    draw_room(sheet, Shown(scene, layout, marks, agent, placing(bounds, k, left, head + border)), naming)
     _draw_foot(sheet, agent, navigation, scale, left)
     return sheet
 

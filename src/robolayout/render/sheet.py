@@ -13,12 +13,12 @@ from dataclasses import dataclass, field, replace
 from functools import lru_cache
 from itertools import groupby
 
-from robolayout.render._dimensions import Outline, draw_chains, margin
+from robolayout.render._dimensions import Outline, chained, draw_chains
 from robolayout.render._drawing import Drawing, Point, rectangle, text_width
 from robolayout.render._labels import Label, upright
 from robolayout.render._marked import Naming
 from robolayout.render._style import PLAN, SHEET
-from robolayout.render.contents import Place, PlanMarks, Shown, placing, swings
+from robolayout.render.contents import Place, PlanMarks, Shown, named_at, placing, swings
 from robolayout.render.palette import INK, QUIET
 from robolayout.render.plan import draw_legend, draw_room, draw_scale_bar
 from robolayout.scene import Agent, Asset, Layout, Opening, Scene, Wall
@@ -131,19 +131,16 @@ def _places(scene: Scene, paper: str, scale: int, text: float) -> Iterator[tuple
 
 def _plan_size(scene: Scene, scale: int) -> Point:
     """Return width and height of the plan with its dimension lines, millimetres."""
-    x0, y0, x1, y1 = scene.room.bounds
     k = 1000 / scale
-    around = 2 * (PLAN.wall * k + margin(scene.room))
-    return ((x1 - x0) * k + around, (y1 - y0) * k + around)
+    x0, y0, x1, y1 = chained(scene.room, k)
+    return ((x1 - x0) * k, (y1 - y0) * k)
 
 
 def _draw_plan(sheet: Drawing, given: _Given, at: _Arranged) -> None:
     """Draw room, dimension lines, numbers and legend."""
     scene = given.scene
     k = 1000 / at.scale
-    around = PLAN.wall * k + margin(scene.room)
-
-    place = placing(scene.room, k, at.plan[0] + around, at.plan[1] + around)
+    place = placing(chained(scene.room, k), k, *at.plan)
     width, height = _plan_size(scene, at.scale)
     written = draw_chains(sheet, scene.room, place, k, _draw_names(sheet, given, place, k))
     numbers = given.numbers.items()
@@ -151,7 +148,8 @@ def _draw_plan(sheet: Drawing, given: _Given, at: _Arranged) -> None:
     box = (at.plan[0], at.plan[1], at.plan[0] + width, at.plan[1] + height)
     naming = Naming(box, texts, SHEET.names, tuple(written), swings(scene.room))
     draw_room(sheet, Shown(scene, given.layout, given.marks, given.agent, place), naming)
-    draw_legend(sheet, given.marks, (at.plan[0] + around, at.plan[1] + height + SHEET.legend / 2), width - 2 * around)
+    (left, _), (right, _) = place(*scene.room.bounds[:2]), place(*scene.room.bounds[2:])
+    draw_legend(sheet, given.marks, (left, at.plan[1] + height + SHEET.legend / 2), right - left)
 
 
 def _openings(scene: Scene) -> list[tuple[str, str, Opening]]:
@@ -164,11 +162,14 @@ def _draw_names(sheet: Drawing, given: _Given, place: Place, k: float) -> list[O
     """Write the names of doors and windows, and of walls that are spoken of, outside them; return their outlines."""
     scene, walls = given.scene, given.scene.room.walls
     spoken = sorted({int(number) for text in given.notes.findings for number in re.findall(r"\bwall (\d+)", text)})
-    named = [(name, walls[opening.wall], opening.center) for name, _, opening in _openings(scene)]
-    named += [(f"wall {i}", walls[i], _bare_middle(scene, walls[i])) for i in spoken if i < len(walls)]
+    named = [
+        (name, walls[opening.wall], opening.center, named_at(opening) if what == "door" else 0.0)
+        for name, what, opening in _openings(scene)
+    ]
+    named += [(f"wall {i}", walls[i], _bare_middle(scene, walls[i]), 0.0) for i in spoken if i < len(walls)]
     outlines: list[Outline] = []
-    for name, wall, along in named:
-        at = place(*wall.point(along, -PLAN.wall - 2.2 / k))
+    for name, wall, along, out in named:
+        at = place(*wall.point(along, -PLAN.wall - max(out, 2.2 / k)))
         quiet = name.startswith("wall")
         (ax, ay), (bx, by) = place(*wall.start), place(*wall.end)
         angle = upright(math.degrees(math.atan2(ay - by, bx - ax))) if quiet else 0.0
