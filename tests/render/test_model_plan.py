@@ -10,9 +10,9 @@ from PIL import Image
 
 from robolayout.render import PlanMarks, annotation_camera, annotation_marks, model_plan
 from robolayout.render._drawing import Text, text_width
+from robolayout.render._model_plan import _sheet
 from robolayout.render._style import MODEL_PLAN
 from robolayout.render.annotation import draw_marks
-from robolayout.render.model_plan import _sheet
 from robolayout.scene import Layout, Pose, Scene, scene_from_dict
 
 

@@ -56,6 +56,11 @@ class Category:
         """Where it may be: some of "floor", "wall", "ceiling", "object"."""
         return tuple(place for place in PLACES if getattr(self, f"on_{place}"))
 
+    @property
+    def dresses_windows(self) -> bool:
+        """Whether it hangs before windows: curtains, blinds."""
+        return self.role == "window dressing"
+
 
 def read_categories(path: Path) -> tuple[Category, ...]:
     """Read the records of one data file; its stem is the functional group."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
+from robolayout.assets import category_of
 from robolayout.constraints._exact import TOLERANCE, footprint, frame
 from robolayout.constraints._refs import AssetRef, WallRef
 from robolayout.constraints._relation import Interval, Outcome, Relation, Term, Way, argument, best_way
@@ -17,7 +18,7 @@ EYE_HEIGHT = 1.5  # metres above the floor of the middle of a wall thing that no
 class MountedOn(Relation):
     """`a` hangs at `wall` (None: any wall), facing into the room, its centre `height` m up (None: as usual for such a thing).
 
-    What hangs has a wall behind it, no door and no window.
+    What hangs has a wall behind it, no door and no window; curtains and blinds may hang before windows.
     """
 
     name = "mounted_on"
@@ -58,7 +59,9 @@ class MountedOn(Relation):
     def _openings(self, wall: WallRef, scene: Scene, layout: Layout) -> list[tuple[float, float]]:
         """Return where doors and windows at its height begin and end, in metres from the wall's middle."""
         middle, z, half = scene.room.walls[wall.index].length / 2, layout[self.a.name].z, self._size(scene)[2] / 2
-        found = [o for o in (*scene.room.doors, *scene.room.windows) if o.wall == wall.index]
+        dresses = category_of(scene.by_name[self.a.name]).dresses_windows
+        openings = (*scene.room.doors, *(() if dresses else scene.room.windows))
+        found = [opening for opening in openings if opening.wall == wall.index]
         level = [o for o in found if z - half < o.sill + o.height and z + half > o.sill]
         return sorted((o.offset - middle, o.offset + o.width - middle) for o in level)
 

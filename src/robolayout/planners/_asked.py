@@ -12,7 +12,7 @@ from robolayout.constraints.in_front_of import InFrontOf
 from robolayout.constraints.near import Near
 from robolayout.constraints.next_to import NextTo
 from robolayout.planners._knowledge import ON_ANY, Join, usual_say
-from robolayout.planners._roles import Cast, chain
+from robolayout.planners._roles import Cast, chain, elsewhere
 from robolayout.program import Program
 from robolayout.scene import Scene
 from robolayout.words import Demand
@@ -84,9 +84,6 @@ def join_as_asked(cast: Mapping[str, Cast], demands: Sequence[Demand], passage: 
             found[name] = found[name].alone
     seated = [wanted[name] for name in wanted if cast[name].role.name.endswith("seat")]
     told = {anchor for anchor, join in seated if join.slot == "around"}
-    for name in found.keys() - wanted.keys():
-        if found[name].join.slot == "around" and found[name].anchor in told:
-            found[name] = found[name].alone  # that table has its own seats
     for a, b in (pair for demand in demands for relation in demand.ways[0] if len(pair := relation.asset_names()) == 2):
         # what usually stands in a row that ends at what is asked to be placed by one of the row stands by itself
         last = next((one for one in chain(b, found) if found[one].anchor == a), "")
@@ -96,6 +93,9 @@ def join_as_asked(cast: Mapping[str, Cast], demands: Sequence[Demand], passage: 
         found[name] = found[name].alone
         if name not in chain(anchor, found):
             found[name] = replace(found[name], anchor=anchor, join=join)
+    for name in [name for name in found if name not in wanted]:
+        if found[name].join.slot == "around" and found[name].anchor in told:
+            found[name] = elsewhere(name, found, told)  # that table has its own seats
     return found
 
 

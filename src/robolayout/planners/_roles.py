@@ -145,6 +145,15 @@ def _anchor(item: Cast, cast: Mapping[str, Cast], handy: Set[str]) -> tuple[str,
     return None
 
 
+def elsewhere(name: str, cast: Mapping[str, Cast], barred: Set[str]) -> Cast:
+    """Return an asset as it joins anything but some; by itself where there is nothing for it."""
+    left = {other: one for other, one in cast.items() if barred.isdisjoint(chain(other, cast))} | {
+        name: cast[name].alone
+    }
+    found = _anchor(left[name], left, left.keys())
+    return left[name] if found is None else replace(left[name], anchor=found[0], join=found[1])
+
+
 def _covered(top: str, cast: Mapping[str, Cast]) -> float:
     """Return the square metres of a top that are taken."""
     return sum(_footprint(one.asset) for one in cast.values() if one.anchor == top and one.join.on_top)

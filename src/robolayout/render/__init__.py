@@ -12,6 +12,7 @@ from robolayout._lazy import loader
 if TYPE_CHECKING:
     from robolayout.render._drawing import Drawing as Drawing
     from robolayout.render._drawing import png_bytes as png_bytes
+    from robolayout.render._model_plan import model_plan as model_plan
     from robolayout.render.animation import progress_gif as progress_gif
     from robolayout.render.animation import walk_gif as walk_gif
     from robolayout.render.annotation import annotate as annotate
@@ -23,7 +24,6 @@ if TYPE_CHECKING:
     from robolayout.render.camera import Camera as Camera
     from robolayout.render.contents import PlanMarks as PlanMarks
     from robolayout.render.curves import draw_losses as draw_losses
-    from robolayout.render.model_plan import model_plan as model_plan
     from robolayout.render.plan import draw_comparison as draw_comparison
     from robolayout.render.plan import draw_plan as draw_plan
     from robolayout.render.plan import plan_svg as plan_svg

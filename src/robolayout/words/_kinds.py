@@ -28,7 +28,7 @@ def settle_kinds(parsed: Parsed) -> None:
         if noun.said == "small table" and (alone or thing.sat_at):
             _take(thing, "round table" if alone else "dining table")
             thing.adjectives = (*thing.adjectives, "small")
-        rounded = f"round {'table' if noun.kind in small.TABLES else noun.kind}"
+        rounded = f"round {'table' if noun.kind in (*small.TABLES, 'conference table') else noun.kind}"
         if small.ROUND & {*thing.adjectives} and rounded in CATALOGUE:
             _take(thing, rounded)
     for link in parsed.links:

@@ -11,7 +11,7 @@ import shapely
 
 from robolayout.assets.obstacles import use_sides
 from robolayout.floor import rect_points
-from robolayout.scene import Agent, Wall
+from robolayout.scene import Agent, Opening, Wall
 from robolayout.scene.agent import horizontal_reach
 from robolayout.solve.build.form import corners_of
 from robolayout.solve.build.member import Member
@@ -42,6 +42,8 @@ class Hanging:
     crowded: float = 8.0  # cost of hanging where all of the floor that it is used from is taken
     juts_out: float = 12.0  # cost of hanging in the way of a body
     thin: float = 0.1  # metres that a thing may stand out from its wall without being in the way
+    centred: float = 0.03  # metres off the middle of what it belongs over
+    dressing: float = 8.0  # what it is worth that a curtain or blind hangs before the middle of a window
     take_hold: float = 0.05  # metres that a thing begins below the top of the reach
 
 
@@ -106,7 +108,18 @@ def _hang_offsets(site: Site, name: str, wall: Wall) -> list[float]:
     low, high = width / 2 + WALL_GAP - 1e-6, wall.length - width / 2 - WALL_GAP + 1e-6
     marks = [wall.length / 2, *np.arange(low + 0.04, high, 0.15)]
     marks += [(span.rect[0] + span.rect[2]) / 2 for span in site.spans if span.wall == wall.index]
+    marks += [window.center for window in _dressed(site, name, wall)]
     return sorted({round(float(t), 3) for t in marks if low <= t <= high})
+
+
+def _dressed(site: Site, name: str, wall: Wall) -> list[Opening]:
+    """Return the windows of a wall before which a thing may hang and nothing of its kind does yet."""
+    category = site.wants[name].category
+    if not category.dresses_windows:
+        return []
+    hung = [s.member for n, s in site.spots.items() if site.wants[n].category.dresses_windows]
+    windows = [window for window in site.room.windows if window.wall == wall.index]
+    return [one for one in windows if all(math.dist(wall.point(one.center), (m.x, m.y)) > one.width / 2 for m in hung)]
 
 
 def _reach_top(site: Site, ahead: float) -> float:
@@ -125,14 +138,18 @@ def _highest(agent: Agent, ahead: float) -> float:
 def _hang_cost(site: Site, name: str, wall: Wall, t: float) -> tuple[float, Spot]:
     want, (depth, width, height) = site.wants[name], site.size(name)
     owner, bonus, lift, ahead = _below(site, name, wall, t)
+    window = next((one for one in _dressed(site, name, wall) if abs(one.center - t) < HANGING.centred), None)
     used = bool(use_sides(site.scene.by_name[name]))
     above = (HANGING.work_above if used and ahead > 0 else HANGING.clear_above) + height / 2
     middle = max(want.height or max(HANGING.eye, 0.4 + height / 2), lift + above)
+    if window is not None:
+        bonus, middle = HANGING.dressing, window.sill + window.height + HANGING.clear_above - height / 2
     top = _reach_top(site, ahead)
     if used:
         middle = min(middle, top + height / 2)
     middle = min(max(middle, lift + above), site.room.wall_height - height / 2 - 0.03)
-    takers = site.wall_takers(wall, depth)
+    takers = site.wall_takers(wall, math.inf if owner is None else depth)
+    takers = [taker for taker in takers if window is None or taker[1] != "window"]
     rect = (t - width / 2, middle - height / 2, t + width / 2, middle + height / 2)
     yaw = wall_yaw(wall)
     member = Member(name, *wall.point(t, depth / 2 + WALL_GAP / 2), yaw, middle - height / 2)
@@ -166,7 +183,7 @@ def _below(site: Site, name: str, wall: Wall, t: float) -> tuple[str | None, flo
     ahead = max((s.depth + site.size(s.name)[0] - depth for s in low), default=0.0)
     hung_over = {s.anchor for s in site.spots.values() if s.mode == "hang"}
     for span in here:
-        centred = abs((span.rect[0] + span.rect[2]) / 2 - t) < 0.03
+        centred = abs((span.rect[0] + span.rect[2]) / 2 - t) < HANGING.centred
         if span.name in over and centred and site.spots[span.name].wall == wall.index and span.name not in hung_over:
             return span.name, 6.0 - over.index(span.name), top, ahead
     return None, 0.0, top, ahead

@@ -353,7 +353,7 @@ class Site:
     def wall_takers(self, wall: Wall, depth: float = math.inf) -> list[tuple[Rect, str]]:
         """Return what covers a wall: (start, low, end, high) along it and up it, in metres, with a name each.
 
-        What is to hang there, so many metres deep, may hang behind a vase that stands on something.
+        What is to hang over something, so many metres deep, may hang behind a vase that stands there.
         """
         takers: list[tuple[Rect, str]] = []
         for kind, openings in (("door", self.room.doors), ("window", self.room.windows)):

@@ -16,10 +16,10 @@ from robolayout.assets.rooms import SHELL
 from robolayout.export import EXPORTERS, Options
 from robolayout.render import PlanMarks, SheetNotes, draw_plan, draw_sheet
 from robolayout.render._drawing import Drawing, Shape, Text, text_width
+from robolayout.render._model_plan import _sheet
 from robolayout.render._style import FILM, PLAN
 from robolayout.render.animation import Stage
 from robolayout.render.contents import swings
-from robolayout.render.model_plan import _sheet
 from robolayout.render.palette import FLOOR, PAPER
 from robolayout.scene import DEFAULT_AGENT, Layout, Opening, Point, Room, Scene
 
