@@ -1,11 +1,13 @@
 """From a sentence to a scene: what is understood, what is ignored, what is refused."""
 
+import math
 import re
 
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+import robolayout as rl
 from robolayout._errors import SceneError
 from robolayout.assets.meshes import parts
 from robolayout.planners import OfflinePlanner, PlanRequest, scene_from_sentence
@@ -355,6 +357,22 @@ def test_the_things_say_which_room_it_is(text: str, room: str) -> None:
 def test_a_small_table_with_chairs_gets_no_others() -> None:
     wished = scene_from_sentence("A kitchen with a fridge and a small table with two chairs.")[1]
     assert wished.wished["chair"] == 2 and "chair" not in wished.added
+
+
+def test_seats_that_a_table_leaves_over_stand_at_the_desks() -> None:
+    scene, _ = scene_from_sentence("An office with two desks facing each other and a meeting table with four chairs.")
+    lines = OfflinePlanner().plan(PlanRequest(scene, asked=read_words(scene).demands)).splitlines()
+    at_desks = [line for line in lines if "in_front_of(office_chair" in line and "desk[" in line]
+    assert len({line.partition("(")[2].partition(",")[0] for line in at_desks}) == 2
+
+
+def test_curtains_hang_before_windows() -> None:
+    scene, _ = scene_from_sentence("A bedroom with a bed under the window and curtains on the window.")
+    result = rl.generate(scene)
+    (row,) = [row for row in result.report.asked if row.words.startswith("curtain on")]
+    window, curtain = scene.room.windows[0], result.layout["curtain-0"]
+    middle = scene.room.walls[window.wall].point(window.center)
+    assert row.verdict == "met" and math.dist(middle, curtain.at) < 0.2 and not result.report.physics.failing
 
 
 def test_no_window_is_made_where_something_hangs_opposite_the_door() -> None:

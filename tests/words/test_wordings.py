@@ -212,6 +212,20 @@ def test_floor_things_on_both_sides_of_what_hangs_have_it_between_them() -> None
     assert any("between(mirror-0, bench-0, bench-1)" in text for text in understood)
 
 
+@pytest.mark.parametrize(
+    ("text", "table", "said"),
+    [
+        ("A room with a bed and a table with four chairs in the corner.", "dining_table", "near("),
+        ("A room with a bed and a table in the corner.", "dining_table", "corner("),
+        ("An office with a desk in the corner and a bookshelf behind the desk.", "desk", "near("),
+    ],
+)
+def test_what_can_touch_no_wall_is_near_its_corner(text: str, table: str, said: str) -> None:
+    scene, _ = scene_from_sentence(text)
+    (row,) = [row for row in read_words(scene).rows if "corner" in row.words and row.kind == "relation"]
+    assert row.understanding.startswith(f"{said}{table}-0")
+
+
 def test_a_stand_is_for_what_stands_on_it() -> None:
     assert "tv stand" in scene_from_sentence("A living room with a television on a stand.")[1].wished
 

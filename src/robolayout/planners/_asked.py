@@ -121,10 +121,14 @@ def hung_over(scene: Scene, demands: Iterable[Demand]) -> list[str]:
 
 
 def held_by_walls(demands: Sequence[Demand]) -> set[str]:
-    """Return what is asked into corners, parts of the room or near doors and windows alone, which leaves its wall to it."""
+    """Return what is asked into corners, parts of the room or near doors and windows alone, which leaves its wall to it.
+
+    What something is to be behind stands free of the wall.
+    """
     placed = ("corner", "zone", "near")
     said = [relation for demand in demands for relation in demand.ways[0] if relation.name not in PLACELESS]
     free = {one.asset_names()[0] for one in said if one.name not in placed or len(one.asset_names()) > 1}
+    free |= {one.asset_names()[1] for one in said if one.name == "behind"}
     return {one.asset_names()[0] for one in said} - free
 
 

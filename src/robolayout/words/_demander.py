@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
@@ -50,6 +51,15 @@ class Demander(AtPlaces):
         asked = [(link, self._asked(link)) for link in links]
         in_corners = (it.subjects for _, it in asked if it.place is not None and it.place.name == "corner")
         self.cornered = frozenset(name for subjects in in_corners for name in subjects)
+        seats = Counter(
+            b
+            for link, it in asked
+            for a, b in it.twos
+            if link.relation in ("with", "around") and self._is(a, ways_of.SEATS)
+        )
+        behind = [two for link, it in asked for two in it.twos if link.relation == "behind"]
+        backed = {b for a, b in behind if self._asset(a).on_floor and not self._is(a, ways_of.SEATS)}
+        self.surrounded = frozenset(backed.union(name for name, count in seats.items() if count > 2))
         twos = [(link.relation, *two) for link, it in asked for two in it.twos if self._is(two[1], ("desk",))]
         hosted = any(
             self._is(asset.name, ways_of.SEATS) and not ways_of.visits(asset.category) for asset in scene.assets

@@ -108,6 +108,7 @@ class AtPlaces:
     def __init__(self, scene: Scene) -> None:
         self.scene, self.room = scene, scene.room
         self.cornered = frozenset[str]()  # what is asked to be in a corner, perhaps one by a window
+        self.surrounded = frozenset[str]()  # what touches no wall: seats are all around it, or something is behind it
 
     def _asset(self, name: str) -> Asset:
         return self.scene.by_name[name]
@@ -140,7 +141,9 @@ class AtPlaces:
         if place.name == "wall":
             yield from self._ways_at_a_wall(a, place, on=on)
         elif place.name == "corner":
-            yield from ((stated("corner", ref, vertex),) for vertex in corners_meant(self.room, place))
+            for vertex in corners_meant(self.room, place):
+                near = stated("near", ref, _point(self.room.vertices[vertex]), ways_of.FREE_IN_CORNER)
+                yield (near if a in self.surrounded else stated("corner", ref, vertex),)
         elif place.name in ("window", "door"):
             gap = (ways_of.AT_WINDOW if place.name == "window" else ways_of.AT_DOOR) * wider
             under = under and self._asset(a).on_floor and not self._asset(a).is_flat

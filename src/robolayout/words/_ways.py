@@ -8,8 +8,8 @@ from collections.abc import Mapping
 BESIDE, NEAR, AT_TABLE, AT_WINDOW, AT_DOOR = 0.6, 1.2, 0.5, 0.6, 1.4
 """Metres from edge to edge that "next to", "near", "at" a thing, "at the window" and "by the door" allow (0.9 m before it stay clear)."""
 
-CORNER_BY = 0.9
-"""Metres from an end of a window to what is in the corner by it."""
+CORNER_BY, FREE_IN_CORNER = 0.9, 1.5
+"""Metres from an end of a window to what is in the corner by it, and from a corner to what is in it and touches no wall."""
 
 TOUCHING, INTO = 0.1, (0.5, 0.9)
 """Metres between the backs of desks at which people face each other, and before a mirror into which somebody looks."""
