@@ -7,6 +7,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from itertools import combinations
 
+from robolayout.assets.surfaces import surfaces_of
 from robolayout.constraints._exact import TOLERANCE, facing_error, footprint, frame, half_size
 from robolayout.constraints._refs import AssetRef
 from robolayout.constraints._relation import FrameTerm, Interval, Outcome, Relation, Term, argument
@@ -25,6 +26,8 @@ class Seating:
     usual: float = 0.05  # metres from the edge at which a seat stands that does not go under
     # metres by which people leave a seat under a table, the first that is free
     tucked: tuple[float, float, float] = (0.18, 0.12, 0.06)
+    even: float = 1.15  # how many times as long as the other a side of a table is at the most that counts as square or round
+    round: float = 0.85  # share of its box that a round top fills at the most
     spare: float = 0.02  # metres that stay free above and beside a seat that is left under a table
 
 
@@ -48,6 +51,13 @@ def _meeting(table: Asset, places: Sequence[tuple[Asset, Slot]], lift: float) ->
     return any(prisms_meet(one, other, SEATING.spare) for one, other in combinations(there, 2))
 
 
+def _is_round(table: Asset) -> bool:
+    """Return whether a table is as wide as deep, and its top a circle: pi / 4 of its box."""
+    top, (depth, width, _) = max(surfaces_of(table), key=lambda surface: surface.height), table.size
+    even = max(depth, width) < SEATING.even * min(depth, width)
+    return even and top.region.area < SEATING.round * depth * width
+
+
 def _side_slots(count: int, side: str, table: tuple[float, float], depth: float, gap: float) -> list[Slot]:
     """Return evenly spaced slots along one side of the table."""
     hx, hy = table
@@ -64,7 +74,7 @@ def shares(count: int, table: tuple[float, float], width: float) -> dict[str, in
     hx, hy = table
     long, short = (("front", "back"), ("left", "right")) if hy >= hx else (("left", "right"), ("front", "back"))
     room_long = max(1, int(2 * max(hx, hy) / max(width, 0.4) + 1e-6))
-    square = max(hx, hy) < 1.15 * min(hx, hy)
+    square = max(hx, hy) < SEATING.even * min(hx, hy)
     if square and count <= 4:
         order = (*long, *short)
         return {side: int(i < count) for i, side in enumerate(order)}
@@ -100,6 +110,9 @@ class Around(Relation):
         table = half_size(scene, self.b)
         sizes = [scene.by_name[item.name].size for item in self.items]
         depth, width = max(s[0] for s in sizes), max(s[1] for s in sizes)
+        if _is_round(scene.by_name[self.b.name]):
+            out, turns = max(table) + gap + depth / 2, [math.tau * i / len(self.items) for i in range(len(self.items))]
+            return tuple((out * math.cos(turn), out * math.sin(turn), turn + math.pi) for turn in turns)
         slots: list[Slot] = []
         for side, count in shares(len(self.items), table, width).items():
             slots += _side_slots(count, side, table, depth, gap)

@@ -22,7 +22,7 @@ from robolayout.planners._knowledge import load_knowledge
 from robolayout.planners._openings import openings
 from robolayout.planners._wishes import Wishes, head, read_wishes
 from robolayout.scene import FLAT_HEIGHT, Agent, Room, Scene, load_agent, scene_from_dict, variable_name
-from robolayout.words import RoomType, dressing
+from robolayout.words import Link, Mention, RoomType, dressing
 
 
 @dataclass(frozen=True)
@@ -135,6 +135,9 @@ def _wished(wishes: Wishes) -> dict[str, int]:
     rows = {head(m.thing.noun.kind) for link in links if link.relation == "rows" for m in link.subjects}
     if (rows & {"chair", "seat", "pew"} or "seat" in map(head, wished)) and "desk" not in heads:
         heads |= {"desk", "chair"}  # an audience sits before a board, at no desks
+    sat = (m.thing for link in links if link.relation in ("with", "around") and _at_tables(link) for m in link.subjects)
+    if 2 * sum(thing.count for thing in sat if head(thing.noun.kind) == "chair") >= room.people:
+        heads |= {"desk"} if "student desk" in room.person else set()  # the pupils sit at tables
     seated = "table" in heads if room.tables else heads & LOUNGE
     if seated and not wishes.reading.people and wishes.useless("chair", {**wished, **room.base}):
         heads.add("chair")  # who is here sits elsewhere: on sofas, or on stools at high tables
@@ -147,6 +150,11 @@ def _wished(wishes: Wishes) -> dict[str, int]:
     if room.tables and not any(head(name) == "table" for name in wished if "buffet" not in name):
         wished[room.tables] = math.ceil(chairs / (2 if room.tables == "round table" else 4))
     return dict(wished)
+
+
+def _at_tables(link: Link) -> bool:
+    """Return whether a relation leads to tables."""
+    return any(isinstance(item, Mention) and item.thing.noun.kind.endswith("table") for item in link.objects)
 
 
 def _usual_people(wishes: Wishes) -> int:

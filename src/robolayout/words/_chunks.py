@@ -133,6 +133,8 @@ class Chunker(ClosedWords):
         if not run:
             return Chunk("pron", at, i, "the two") if det == "the" and (number or 0) > 1 else None
         told = bool(det or number is not None or bound)
+        if not told and at and self.words[at - 1] in small.MODAL:
+            return Chunk("filler", at, at + 1, run[0])
         chunk = self._named(at, i, run, told, (det, number, bound, rows))
         chunk = replace(chunk, total=total) if chunk and total else chunk
         if not sized or chunk is None:

@@ -57,8 +57,12 @@ class Demander(AtPlaces):
             for a, b in it.twos
             if link.relation in ("with", "around") and self._is(a, ways_of.SEATS)
         )
-        behind = [two for link, it in asked for two in it.twos if link.relation == "behind"]
-        backed = {b for a, b in behind if self._asset(a).on_floor and not self._is(a, ways_of.SEATS)}
+        behind = [
+            (a, b, link.relation) for link, it in asked for a, b in it.twos if link.relation in ("behind", "flank")
+        ]
+        backed = {
+            b for a, b, how in behind if self._asset(a).on_floor and (how == "flank" or not self._is(a, ways_of.SEATS))
+        }
         self.surrounded = frozenset(backed.union(name for name, count in seats.items() if count > 2))
         twos = [(link.relation, *two) for link, it in asked for two in it.twos if self._is(two[1], ("desk",))]
         hosted = any(

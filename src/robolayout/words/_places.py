@@ -63,7 +63,8 @@ def corners_meant(room: Room, place: Place) -> list[int]:
     how, by = place.by
     middles = [room.walls[opening.wall].point(opening.center) for opening in openings(room, by.name)]
     away = {i: min((math.dist(at[i], middle) for middle in middles), default=0.0) for i in meant}
-    return [(min if how == "near" else max)(away, key=lambda i: away[i])]
+    several = place.det == "each" or place.plural  # "in each corner opposite the door"
+    return sorted(away, key=lambda i: away[i], reverse=how != "near")[: 1 + several]
 
 
 def halves_meant(room: Room, place: Place) -> Iterator[tuple[PointRef, ...]]:

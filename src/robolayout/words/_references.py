@@ -185,7 +185,8 @@ class References(Spoken):
         if isinstance(item, Mention):
             return item.thing.count
         asked = sum(place.number or 0 for place, _ in self.said.openings if place.name == item.name)
-        sides = len({*item.words} & {*grammar().walls})  # "in each of the back corners"
+        # "in each of the back corners", "in each corner opposite the door"
+        sides = len({*item.words} & {*grammar().walls}) or (item.by is not None)
         corners = 4 if not sides or item.name == "wall" else 2 // sides
         corners = 2 if item.name == "wall" and {"long", "short", "side", "opposite"} & {*item.words} else corners
         return item.number or (corners if item.name in ("corner", "wall") else asked or 1)

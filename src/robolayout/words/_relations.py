@@ -249,6 +249,8 @@ class Relating(About):
             before = list[Mention | Place](m for m in self.targets if m.thing is not self.holder[0].thing)
             objects = before[-1:] or objects
             laid = objects != self.holder
+        its = self._ahead(-1).kind == "pron" and named(self.holder) & named(objects)
+        laid = laid and not its  # "a chair with a lamp behind it"
         hung = place and chunk.value in ("on", "hanging")  # "a sofa with the TV on the wall"
         low = held and not topped(self.group[-1]) and not self.holder[0].thing.category.on_floor
         sat = held and sat_on(self.group[-1]) and self.holder[0].thing.head in TOPS
