@@ -278,3 +278,15 @@ def test_touching_footprints_share_no_area() -> None:
 
     assert common_area(Polygon(first), Polygon(second)) < 1e-9
     assert common_area(Polygon(first), Polygon(first)) == pytest.approx(3.0)
+
+
+@pytest.mark.parametrize("count", [2, 3, 5, 8])
+def test_seats_stand_around_a_round_table_on_a_circle(count: int) -> None:
+    table = Asset("b-0", "round table", (1.3, 1.3, 0.76))
+    chairs = tuple(Asset(f"chair-{i}", "chair", (0.5, 0.45, 0.9)) for i in range(count))
+    scene = Scene(ROOM, (*chairs, table))
+    slots = Around(tuple(AssetRef(chair.name) for chair in chairs), B, 0.1).slots(scene)
+    apart = [math.remainder(math.atan2(y, x) - math.tau * i / count, math.tau) for i, (x, y, _) in enumerate(slots)]
+    assert apart == pytest.approx([0.0] * count)
+    assert [math.hypot(x, y) for x, y, _ in slots] == pytest.approx([1.3 / 2 + 0.1 + 0.25] * count)
+    assert all(math.isclose(x * math.cos(yaw) + y * math.sin(yaw), -math.hypot(x, y)) for x, y, yaw in slots)

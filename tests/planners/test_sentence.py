@@ -354,6 +354,12 @@ def test_the_things_say_which_room_it_is(text: str, room: str) -> None:
     assert scene_from_sentence(text)[1].room_type == room
 
 
+def test_pupils_who_sit_at_tables_have_no_desks_and_round_tables_stay_round() -> None:
+    scene, found = scene_from_sentence("A classroom with three round tables, each with five small chairs.")
+    assert found.wished["kids chair"] == 15 and "student desk" not in found.wished
+    assert all(a.size[0] == pytest.approx(a.size[1]) for a in scene.assets if a.category == "round table")
+
+
 def test_a_small_table_with_chairs_gets_no_others() -> None:
     wished = scene_from_sentence("A kitchen with a fridge and a small table with two chairs.")[1]
     assert wished.wished["chair"] == 2 and "chair" not in wished.added

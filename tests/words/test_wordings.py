@@ -43,6 +43,7 @@ def links(text: str) -> set[tuple[str, ...]]:
         ("six groups of four desks, a string of lights", {"desk": 24, "light": 2}),
         ("three easels, each holding a canvas", {"easel": 3, "canvas": 3}),
         ("a seating group of two sofas, a shelf with two bottles of detergent", {"sofa": 2, "shelf": 1, "bottle": 2}),
+        ("a cabinet in each corner opposite the door and a plant in each corner", {"cabinet": 2, "plant": 4}),
         ("A judge's bench at the front, and three rows of benches at the back.", {"bench": 10}),
     ],
 )  # fmt: skip
@@ -110,6 +111,9 @@ def test_counts(text: str, counts: dict[str, int]) -> None:
         ("a studio with a small kitchen in one corner", {("in", "kitchen", "corner")}),
         ("a double bed with a bench at the foot", {("foot", "bench", "double bed")}),
         ("two beds, a wardrobe opposite the beds and a rug at their feet", {("opposite", "wardrobe", "bed"), ("foot", "rug", "bed")}),
+        ("a chair by the window with a lamp behind it", {("by", "chair", "window"), ("behind", "lamp", "chair")}),
+        ("a sofa and a TV on the wall opposite", {("on", "tv", "wall"), ("opposite", "tv", "sofa")}),
+        ("a desk she can roll under and a bed by the door", {("by", "bed", "door")}),
         ("A sink and a window above the sink.", {("under", "sink", "window")}),
         ("a table with six chairs near the bar", {("with", "chair", "table"), ("near", "table", "bar")}),
         ("a bed, a sofa, a shelf with cups above them", {("with", "cup", "shelf"), ("above", "shelf", "bed"), ("above", "shelf", "sofa")}),

@@ -238,6 +238,8 @@ class Wishes:
         seats = math.ceil(_seats(thing, links))
         if seats and depth == width and "oval" not in thing.noun.said:
             depth = width = max(depth, round(seats * ELBOWS / math.pi, 2))
+            if thing.noun.kind == "round table":
+                return depth, width, height
         while 2 * int(width / ELBOWS) + 2 * int(depth / ELBOWS) < seats:
             width = round(width + ELBOWS / 2, 2)
         return depth, width, height
