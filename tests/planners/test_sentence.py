@@ -4,6 +4,7 @@ import math
 import re
 
 import pytest
+import shapely
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -358,6 +359,19 @@ def test_pupils_who_sit_at_tables_have_no_desks_and_round_tables_stay_round() ->
     scene, found = scene_from_sentence("A classroom with three round tables, each with five small chairs.")
     assert found.wished["kids chair"] == 15 and "student desk" not in found.wished
     assert all(a.size[0] == pytest.approx(a.size[1]) for a in scene.assets if a.category == "round table")
+
+
+def test_seats_that_face_each_other_by_a_fireplace_stand_as_a_pair_with_room_for_knees() -> None:
+    result = rl.generate(scene_from_sentence("A library with two armchairs that face each other by the fireplace.")[0])
+    assert result.report.ok
+    one, two = (result.scene.by_name[f"armchair-{i}"] for i in (0, 1))
+    feet = [shapely.Polygon(result.layout[chair.name].corners(chair.size)) for chair in (one, two)]
+    assert feet[0].distance(feet[1]) > 0.4
+
+
+def test_nothing_is_added_for_which_no_top_has_room() -> None:
+    text = "Two armchairs face each other by the window with a small round table between them."
+    assert "book stack" not in scene_from_sentence(text)[1].added
 
 
 def test_a_small_table_with_chairs_gets_no_others() -> None:

@@ -44,6 +44,8 @@ def links(text: str) -> set[tuple[str, ...]]:
         ("three easels, each holding a canvas", {"easel": 3, "canvas": 3}),
         ("a seating group of two sofas, a shelf with two bottles of detergent", {"sofa": 2, "shelf": 1, "bottle": 2}),
         ("a cabinet in each corner opposite the door and a plant in each corner", {"cabinet": 2, "plant": 4}),
+        ("four desks, each with a chair on both sides", {"desk": 4, "chair": 8}),
+        ("a hall where the walls are lined with benches", {"bench": 4}),
         ("A judge's bench at the front, and three rows of benches at the back.", {"bench": 10}),
     ],
 )  # fmt: skip
@@ -111,6 +113,7 @@ def test_counts(text: str, counts: dict[str, int]) -> None:
         ("a studio with a small kitchen in one corner", {("in", "kitchen", "corner")}),
         ("a double bed with a bench at the foot", {("foot", "bench", "double bed")}),
         ("two beds, a wardrobe opposite the beds and a rug at their feet", {("opposite", "wardrobe", "bed"), ("foot", "rug", "bed")}),
+        ("The walls are lined with bookshelves, two chairs face each other.", {("wall", "bookshelf", "wall"), ("mutual", "chair", "")}),
         ("a chair by the window with a lamp behind it", {("by", "chair", "window"), ("behind", "lamp", "chair")}),
         ("a sofa and a TV on the wall opposite", {("on", "tv", "wall"), ("opposite", "tv", "sofa")}),
         ("a desk she can roll under and a bed by the door", {("by", "bed", "door")}),

@@ -17,6 +17,8 @@ COMFORT, AIRY = 0.26, 0.15
 
 BASIC = 0.38  # share of the floor up to which what such a room always has is added
 
+ON_TOPS = 0.4  # share of all tops up to which things that stand on some are added
+
 LARGER = 1.6  # how many times as large as usual a room is from which on it has more zones and people
 
 LIT = 22.0  # square metres that one ceiling lamp lights
@@ -72,8 +74,19 @@ class Added:
         low = all(self.wishes.kinds[name].size[2] + SPARE <= self.ceiling for name in group)
         if not low or any(map(self._too_high, group)):
             return False
+        kinds = self.wishes.kinds
+        if any(kinds[name].places == ("object",) for name in group) and not self._room_on_tops(group):
+            return False
         taken = self.wishes.floor_area(both(self.wished, self.found, group))
         return self.wishes.floor_area(group) == 0 or taken <= limit * self.floor
+
+    def _room_on_tops(self, group: Mapping[str, int]) -> bool:
+        """Whether tops have room for everything that can stand on some."""
+        things = both(self.wished, self.found, group)
+        area = {name: count * math.prod(self.wishes.kinds[name].size[:2]) for name, count in things.items()}
+        tops = sum(area[name] for name in things if (role := self.wishes.role(name)) is not None and role.top)
+        carried = (area[name] for name in things if "object" in self.wishes.kinds[name].places)
+        return sum(carried) <= ON_TOPS * tops
 
     def _too_high(self, name: str) -> bool:
         """Whether a thing that is opened hangs above what one of the bodies reaches: a wall cabinet for a child."""

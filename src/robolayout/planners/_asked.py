@@ -75,7 +75,10 @@ def join_as_asked(cast: Mapping[str, Cast], demands: Sequence[Demand], passage: 
         anchor for anchor, join in chains.values() if join.slot == "around"
     }  # what is around a table comes after it
     joins = dict(one for demand in demands for one in _joins(demand, cast, passage))
-    wanted = {name: join for name, join in joins.items() if name not in tops} | chains
+    # two that face each other by the fireplace do not stand beside it with their backs in line
+    faced = {one.asset_names()[1] for demand in demands for one in demand.ways[0] if one.name == "facing_pair"}
+    beside = {name for name in faced & joins.keys() if joins[name][1].slot == "beside"}
+    wanted = {name: join for name, join in joins.items() if name not in tops | beside} | chains
     for name in subjects(demands) - wanted.keys():
         about = [demand for demand in demands if name in subjects([demand])]
         asset, anchor = found[name].asset, found[name].anchor

@@ -144,7 +144,10 @@ class Demander(AtPlaces):
             return
         desks = relation == "mutual" and self._is(it.subjects[0], ("desk",))  # who sits there looks over its back
         ways = ways_of.BY_TWOS["mutual desks" if desks else relation]
-        yield from (by_ways(ways, b, a) for a, b in zip(it.subjects[::2], it.subjects[1::2], strict=False))
+        for a, b in zip(it.subjects[::2], it.subjects[1::2], strict=False):
+            yield by_ways(ways, b, a)
+            if relation == "mutual" and self._is(a, ways_of.SEATS):
+                yield single(self._gap(b, AssetRef(a), ways_of.KNEES, math.inf))
 
     def _on_each(self, a: str, b: str) -> Demand:
         """A thing rests on another: a rug lies below what stands on it."""

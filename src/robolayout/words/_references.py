@@ -23,7 +23,7 @@ from robolayout.words._said import (
 )
 from robolayout.words._spoken import Spoken
 from robolayout.words._tokens import APART
-from robolayout.words._ways import OTHER_SIDE
+from robolayout.words._ways import OTHER_SIDE, SEATS, SLEPT_ON
 
 
 class References(Spoken):
@@ -205,11 +205,12 @@ class References(Spoken):
         each = self.having or "each" in chunk.adjectives  # "a sofa and a chair on either side of it" are one each
         for mention in subjects if each else subjects[: len(subjects) == 1]:
             thing = mention.thing
-            if not mention.per_side(chunk) or thing in self.dealt:
+            own = not objects and mention.det == "a"
+            if not mention.per_side(chunk, own=own) or thing in self.dealt:
                 continue
             thing.number = 2 * (thing.number or 1)
             around = [to for to in mentions(objects[:1]) if to.det in ("each", "all")]
-            thing.times = around[0].thing.count if around else 1
+            thing.times = around[0].thing.count if around else thing.times if own else 1
         several = all(mention.at_a_table and (mention.thing.number or 0) > 2 for mention in subjects)
         return replace(chunk, value="around") if several else chunk
 
@@ -235,6 +236,10 @@ class References(Spoken):
 
     def _led_back(self, relation: str) -> Sequence[Mention | Place]:
         """Return what a relation leads to where nothing is named: "a loft bed with a desk underneath", "a bed on the left"."""
+        if relation == "opposite":  # of a single seat, bed or desk: "a bed ..., a mirror on the wall opposite"
+            facing = [m for m in map(Mention, self.said.things) if m.thing.head in ("desk", *SEATS, *SLEPT_ON)]
+            last = [m for m in facing if m.thing not in named(self.about)][-1:]
+            return [m for m in last if not several(m)]
         if self.holder or relation not in ("left", "right"):
             return self.holder or self._meant("it", relation)
         side, of = self.contrast
@@ -259,7 +264,8 @@ class References(Spoken):
                 dealt = mention.thing in self.dealt or mention.pick is not None  # "two lamps, one in each corner"
                 if mention.thing.times == 1 and not owned and not dealt:
                     mention.thing.times = count * (2 if chunk.value == "flank" and mention.thing.number == 1 else 1)
-        walls = next((to.number for to in objects if chunk.value == "wall" and isinstance(to, Place)), None)
+        lined = (to for to in objects if chunk.value == "wall" and isinstance(to, Place) and to.name == "wall")
+        walls = next((to.number or 2 * to.plural for to in lined), 0)
         for thing in (mention.thing for mention in subjects):
             if walls and thing.plural and thing.number is None:
                 thing.number = 2 * walls  # "bookshelves line two walls"
@@ -272,7 +278,7 @@ class References(Spoken):
         self.about = list(subjects)
         led = objects or (self._led_back(chunk.value) if chunk.value in small.LED_BACK else [])
         itself = any(a.thing is b.thing and a.pick in (None, b.pick) for a in subjects for b in mentions(led))
-        if itself or (chunk.value in ("above", "behind") and not led):
+        if itself or (chunk.value in ("above", "behind", "opposite") and not led):
             return  # nothing stands at itself, or behind nothing
         subjects = self._counted(chunk, subjects, objects)
         if chunk.value == "flank":

@@ -19,8 +19,9 @@ from robolayout.words._ways import SEATS, TOPS
 REVERSED = {"flanked": "flank", "surrounded": "around", "holds": "on", "separated": "amid"}
 """Relations that are said from the other side."""
 
-AT_AN_OPENING = {"above": "under", "behind": "near", "next": "near", "near": "near", "by": "near"}
-"""What things are to a door or window of which it is said what it is to them."""
+_OPENING = {"above": "under", "behind": "near", "next": "near", "near": "near", "by": "near"}
+AT_A_PLACE = {"window": _OPENING, "door": _OPENING, "wall": {"holds": "wall"}}
+"""What things are to a door, window or wall of which it is said what it is to them."""
 
 AIDS = {"wheelchair": "wheelchair", "walker": "elder_walker"}
 """Bodies by what they use; what a room is to contain is a thing."""
@@ -146,7 +147,7 @@ class Relating(About):
         if chunk.value == "opposite" and self.said.links and self.said.links[-1].relation == "mutual":
             chunk = replace(chunk, value="separated")  # "facing each other across a table"
         aided = chunk.value == "in" and self._in_an_aid()
-        if aided or self._of_the_room(chunk) or self._of_an_opening(chunk, self.at - 2):
+        if aided or self._of_the_room(chunk) or self._of_a_place(chunk, self.at - 2):
             return
         if self._of_people() or self._of_what_is_unknown():
             self._objects(chunk)
@@ -175,16 +176,17 @@ class Relating(About):
         if not self._in_turn(chunk, objects):
             self._relate_to(chunk, subjects, objects, first, every=every)
 
-    def _of_an_opening(self, chunk: Chunk, first: int) -> bool:
-        """Note where a door or window is by what is at it: "a window above the sink" puts the sink under the window."""
+    def _of_a_place(self, chunk: Chunk, first: int) -> bool:
+        """Note what is at a place of which that is said: "a window above the sink", "the walls are lined with bookshelves"."""
         while first > 0 and self.chunks[first].kind in ("verb", "filler", "style"):
             first -= 1
-        opening, at = self.chunks[first], AT_AN_OPENING.get(chunk.value)
-        led = first > 0 and self.chunks[first - 1].kind == "rel"
-        if at is None or led or opening.value not in ("window", "door") or self._ahead().kind != "thing":
+        place, led = self.chunks[first], first > 0 and self.chunks[first - 1].kind == "rel"
+        at = AT_A_PLACE.get(place.value, {}).get(chunk.value)
+        if at is None or led or place.kind == "rel" or self._ahead().kind != "thing":
             return False
-        things = mentions(self._objects(chunk))
-        self._link(replace(chunk, value=at), things, [place_of(opening)])
+        self._understood(place)
+        self._link(replace(chunk, value=at), mentions(self._objects(chunk)), [place_of(place)])
+        self.broken = True
         return True
 
     def _relate_to(
@@ -390,7 +392,7 @@ class Relating(About):
             return False  # of the room
         square = "square" in (*tables[-1].adjectives, *tables[-1].noun.said.split())
         for seat in seats:
-            if seat.per_side(chunk, place) and seat.thing not in self.dealt:
+            if seat.per_side(chunk, place, own=seat.det == "a") and seat.thing not in self.dealt:
                 seat.thing.number = (4 if square else 2) * (seat.thing.number or 1)
         self.acted = list(subjects)
         around = [link.subjects[0].thing for link in self.said.links if link.relation == "around"]

@@ -90,12 +90,15 @@ class Mention:
         """Whether it is a seat of which several stand at one side of a table."""
         return self.thing.head in ("chair", "stool", "bench", "seat")
 
-    def per_side(self, chunk: Chunk, place: Place | None = None) -> bool:
-        """Return whether a number is said of one side: "four chairs on each side", while "two lamps on each side" are two."""
+    def per_side(self, chunk: Chunk, place: Place | None = None, *, own: bool = False) -> bool:
+        """Return whether a number is said of one side: "four chairs on each side", while "two lamps on each side" are two.
+
+        It is also where each of several has its `own`: "four desks, each with a chair on both sides".
+        """
         each = place.det == "each" if place else "each" in chunk.adjectives
         one = self.thing.number == 1 and chunk.value == "flank"
         told = one or (each and self.at_a_table and self.thing.number is not None)
-        return told and self.thing.times == 1 and self.pick is None
+        return told and (self.thing.times == 1 or own) and self.pick is None
 
     def widened(self, count: int) -> Mention:
         """Return one of several things as so many of them: "one lamp is next to each sofa"."""

@@ -11,8 +11,9 @@ BESIDE, NEAR, AT_TABLE, AT_WINDOW, AT_DOOR = 0.6, 1.2, 0.5, 0.6, 1.4
 CORNER_BY, FREE_IN_CORNER = 0.9, 1.5
 """Metres from an end of a window to what is in the corner by it, and from a corner to what is in it and touches no wall."""
 
-TOUCHING, INTO = 0.1, (0.5, 0.9)
-"""Metres between the backs of desks at which people face each other, and before a mirror into which somebody looks."""
+TOUCHING, INTO, KNEES = 0.1, (0.5, 0.9), 0.5
+"""Metres between the backs of desks at which people face each other, before a mirror into which somebody looks, and between seats
+that face each other."""
 
 AISLE = 2.0
 """Metres between two rows between which something stands and can be got to."""
