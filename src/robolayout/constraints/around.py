@@ -26,9 +26,7 @@ class Seating:
     usual: float = 0.05  # metres from the edge at which a seat stands that does not go under
     # metres by which people leave a seat under a table, the first that is free
     tucked: tuple[float, float, float] = (0.18, 0.12, 0.06)
-    even: float = (
-        1.15  # how many times as long as the other a side of a table is at the most that counts as square or round
-    )
+    even: float = 1.15  # how many times as long as the other a side of a square or round table is at the most
     round: float = 0.85  # share of its box that a round top fills at the most
     spare: float = 0.02  # metres that stay free above and beside a seat that is left under a table
 
