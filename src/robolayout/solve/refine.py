@@ -21,7 +21,7 @@ from robolayout.solve.compile import Floats, Problem
 from robolayout.solve.config import SolverConfig
 from robolayout.solve.push import pushed
 from robolayout.solve.repair import MENDING, Repair
-from robolayout.solve.restore import restored, squared
+from robolayout.solve.restore import once_more, restored, squared
 from robolayout.solve.runner import BATCH, STILL, Run, Runner
 from robolayout.solve.solution import Judge, Progress, Solution, Verdict, silent
 from robolayout.solve.stage import Stage, make_stage, stages
@@ -290,6 +290,8 @@ class Solver:
         if not self.blind:
             restored(self.problem, self.world, no_worse, self.effort.put_back)
         squared(self.problem, self.world, no_worse)
+        if not self.blind:
+            once_more(self.problem, self.world, no_worse)
 
 
 def _joined(plans: Sequence[Plan]) -> Plan:

@@ -22,8 +22,8 @@ STRAIGHT, ASKEW = math.radians(0.5), math.radians(45.0)
 PULL = 0.05
 """Metres by which a rug comes along with what is squared on it."""
 
-GAIN = 0.01
-"""Metres (`Problem.away`) that putting a thing back must be worth."""
+GAIN, AGAIN = 0.01, 3
+"""Metres (`Problem.away`) that putting a thing back must be worth, and times that single things are tried once more at the most."""
 
 
 Way = tuple[float, float, bool]
@@ -46,9 +46,9 @@ def restored(problem: Problem, world: Floats, no_worse: Callable[[Floats], bool]
 
     Everything that moved is put back at once, else half of it, and so on down to single things with what stands on them
     and what goes by them (a desk with its chair), so that a row that had to give way in one place stays a row elsewhere. Then
-    single things go back, the farthest first: whole, else along one of their axes, else a part of the way; and once more whole.
+    single things go back, the farthest first: whole, else along one of their axes, else a part of the way.
 
-    At most `trials` layouts are asked about while groups are put back, and eight for each thing alone. `no_worse` says of
+    At most `trials` layouts are asked about while groups are put back, and seven for each thing alone. `no_worse` says of
     poses whether they are no worse than those kept so far.
     """
     target = problem.start
@@ -67,10 +67,25 @@ def restored(problem: Problem, world: Floats, no_worse: Callable[[Floats], bool]
         elif len(chunk) > 1:
             half = len(chunk) // 2
             waiting += [chunk[half:], chunk[:half]]
-    slots = [slot for unit in units for slot in unit]
-    for ways in (WAYS, WAYS[:1]):  # what went back late may leave room to what could not go before
-        for slot in sorted(slots, key=lambda slot: -float(np.hypot(*(world - target)[slot, :2]))):
-            world = _nearer(problem, world, slot, ways, no_worse)
+    return _each_back(problem, world, WAYS, no_worse)
+
+
+def once_more(problem: Problem, world: Floats, no_worse: Callable[[Floats], bool]) -> Floats:
+    """Return poses (n, 4) with single things whole back where they were, as long as some can go: others may have made room since."""
+    for _ in range(AGAIN):
+        before, world = world, _each_back(problem, world, WAYS[:1], no_worse)
+        if world is before:
+            break
+    return world
+
+
+def _each_back(problem: Problem, world: Floats, ways: Sequence[Way], no_worse: Callable[[Floats], bool]) -> Floats:
+    """Return poses (n, 4) with single things nearer to where they were, the farthest first."""
+    off = np.hypot(*(world - problem.start)[:, :2].T)
+    moved = (np.abs(world - problem.start).max(axis=1) > SAME).tolist()
+    free = [slot for slot, name in enumerate(problem.names) if moved[slot] and name not in problem.pinned]
+    for slot in sorted(free, key=lambda slot: (-float(off[slot]), slot)):
+        world = _nearer(problem, world, slot, ways, no_worse)
     return world
 
 
