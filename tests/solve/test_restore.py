@@ -14,7 +14,7 @@ from robolayout.program import read_program, reconcile
 from robolayout.run.flow import make_judge
 from robolayout.solve.compile import Floats, Problem, compile_problem
 from robolayout.solve.proposals import carry, compose
-from robolayout.solve.restore import restored, squared
+from robolayout.solve.restore import once_more, restored, squared
 
 TRIALS = 64
 
@@ -110,3 +110,17 @@ def test_a_rug_comes_along_with_what_would_leave_it_once_it_is_square() -> None:
     found = squared(problem, askew, lambda world: apart(world) < apart(askew) - 0.04)
     assert found[table] == pytest.approx(problem.start[table])
     assert apart(found) == pytest.approx(apart(askew) - 0.05)
+
+
+def test_what_finds_room_only_late_goes_back_all_the_same() -> None:
+    problem, _ = planned("bedroom")
+    late, first = (problem.slot[name] for name in ("armchair-0", "wardrobe-0"))
+    shaken = problem.start.copy()
+    shaken[late, :2] += 0.5
+    shaken[first, :2] += 0.2
+
+    def no_worse(world: Floats) -> bool:
+        back = np.isclose(world, problem.start).all(axis=1)
+        return bool(back[first] or not back[late])
+
+    assert once_more(problem, shaken, no_worse) == pytest.approx(problem.start)
