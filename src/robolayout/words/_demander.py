@@ -145,9 +145,9 @@ class Demander(AtPlaces):
         desks = relation == "mutual" and self._is(it.subjects[0], ("desk",))  # who sits there looks over its back
         ways = ways_of.BY_TWOS["mutual desks" if desks else relation]
         for a, b in zip(it.subjects[::2], it.subjects[1::2], strict=False):
-            yield by_ways(ways, b, a)
-            if relation == "mutual" and self._is(a, ways_of.SEATS):
-                yield single(self._gap(b, AssetRef(a), ways_of.KNEES, math.inf))
+            demand, seated = by_ways(ways, b, a), relation == "mutual" and self._is(a, ways_of.SEATS)
+            knees = (self._gap(b, AssetRef(a), ways_of.KNEES, math.inf),) if seated else ()
+            yield Demand(tuple((*way, *knees) for way in demand.ways))
 
     def _on_each(self, a: str, b: str) -> Demand:
         """A thing rests on another: a rug lies below what stands on it."""
@@ -194,7 +194,7 @@ class Demander(AtPlaces):
     def _gap(self, a: str, b: AssetRef | PointRef | WallRef, low: float, high: float) -> Relation:
         """Return that so many metres lie between edges: whichever of their sides these are, or surely on all of them."""
         sides = [self._asset(ref.name).size[:2] for ref in (AssetRef(a), b) if isinstance(ref, AssetRef)]
-        short, long = (sum(pick(side) for side in sides) / 2 for pick in (min, max))
+        short, long = (round(sum(pick(side) for side in sides) / 2, 3) for pick in (min, max))
         if low == 0 and not isinstance(b, WallRef):
             return stated("near", AssetRef(a), b, high)
         bounds = (low + long, None) if high == math.inf else (low + short, high + long)
