@@ -185,6 +185,7 @@ class Relating(About):
         if at is None or led or place.kind == "rel" or self._ahead().kind != "thing":
             return False
         self._understood(place)
+        self.said.missed[:] = [other for other in self.said.missed if other is not place]
         self._link(replace(chunk, value=at), mentions(self._objects(chunk)), [place_of(place)])
         self.broken = True
         return True
