@@ -11,6 +11,7 @@ import pytest
 
 import robolayout as rl
 from robolayout.planners import OfflinePlanner, PlanRequest
+from robolayout.run import flow
 from robolayout.scene import layout_from_dict
 from running import ROOT, Furnished
 
@@ -203,3 +204,11 @@ def test_a_corner_that_leaves_room_for_the_others_is_found_whatever_the_seed(see
     )
     report = rl.generate(scene, program=program, seed=seed).report
     assert report.ok, report.violations
+
+
+def test_other_ways_are_not_tried_for_a_drawer_that_stays_shut(monkeypatch: pytest.MonkeyPatch) -> None:
+    scene = rl.load_scene("examples/bedroom.json")
+    found = rl.generate(scene)
+    program, best = found.reconciled.program, replace(found.solution, verdict=replace(found.solution.verdict, soft=0.5))
+    monkeypatch.setattr(flow, "compile_problem", lambda *_, **__: pytest.fail("a way was built"))
+    assert flow._opened(scene, program, best, seed=0, config=None) is best

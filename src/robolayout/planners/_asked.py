@@ -117,10 +117,13 @@ def subjects(demands: Iterable[Demand]) -> set[str]:
     }
 
 
-def hung_over(scene: Scene, demands: Iterable[Demand]) -> list[str]:
-    """Return what stands on the floor below what is asked to hang above it on a wall."""
-    pairs = (one.asset_names() for demand in demands for one in demand.ways[0] if one.name == "above")
-    return [low for high, low in pairs if scene.by_name[high].on_wall and scene.by_name[low].on_floor]
+def hung_over(scene: Scene, demands: Iterable[Demand]) -> dict[str, str]:
+    """Return what stands on the floor below what is asked to hang above it on a wall, with the first of that."""
+    found = dict[str, str]()
+    for high, low in (one.asset_names() for demand in demands for one in demand.ways[0] if one.name == "above"):
+        if scene.by_name[high].on_wall and scene.by_name[low].on_floor:
+            found.setdefault(low, high)
+    return found
 
 
 def held_by_walls(demands: Sequence[Demand]) -> set[str]:

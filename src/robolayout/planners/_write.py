@@ -48,7 +48,9 @@ class Writer:
     asked: Set[str]  # things of which the user's words say where they stand: roles only wish then
     cornered: Set[str]  # those of them with a corner of their own: placed before it is taken
     walled: Set[str]  # those of them whose wall the words leave to them
-    below: Set[str]  # what the words hang something above on the wall: nothing else hangs there
+    below: Mapping[
+        str, str
+    ]  # what the words hang something above on the wall, and what that is: nothing else hangs there
 
     def order(self) -> list[str]:
         """Return all assets, what is placed first first: low ranks, big things, and what joins a thing right after it."""
@@ -209,8 +211,8 @@ class Writer:
 
     def _under(self, item: Cast) -> list[str]:
         """Return what a thing may hang over or lie under."""
-        hangs = _modes(item)[0] == "hang"
-        return [name for name in self._playing(*item.role.above) if not (hangs and name in self.below)]
+        taken = self.below if _modes(item)[0] == "hang" else {}
+        return [n for n in self._playing(*item.role.above) if taken.get(n, item.name) == item.name]
 
     @cached_property
     def _owners(self) -> Mapping[str, str]:

@@ -65,7 +65,7 @@ class OfflinePlanner:
         cast = join_as_asked(cast_scene(scene, self.knowledge), request.asked, passage(scene))
         about = set(request.group.items) if request.group else set(cast)
         words = request.asked
-        writer = Writer(scene, cast, subjects(words), cornered(words), held_by_walls(words), {*hung_over(scene, words)})
+        writer = Writer(scene, cast, subjects(words), cornered(words), held_by_walls(words), hung_over(scene, words))
         names = {written: name for name, written in scene.expressions.items()}
         text = ["# Walls: " + "; ".join(_wall(wall, scene.room) for wall in scene.room.walls)]
         asked = asked_lines(scene, request.asked, about | known)

@@ -341,7 +341,7 @@ def _opened(
     progress: Progress | None = None,
 ) -> Solution:
     """Return the best of a solution and those with other ways of what the program leaves open, where a statement is not met."""
-    if best.verdict.soft == 0.0:
+    if _said_holds(scene, program, best):  # drawers that stay shut are no statements
         return best
     judge, brief = make_judge(scene, program), (config or SolverConfig()).at("quick")
     ways = islice(_ways(scene, program, best), FLOW.most_ways)
@@ -349,9 +349,14 @@ def _opened(
     for problem in sorted(problems, key=lambda one: judge(one.guess).promise)[: FLOW.solved_ways]:
         found = solve_with("default", problem, judge, seed=seed, config=brief, progress=progress)
         best = min(best, found, key=lambda one: one.verdict.merit)
-        if best.verdict.soft == 0.0:
+        if _said_holds(scene, program, best):
             break
     return best
+
+
+def _said_holds(scene: Scene, program: Program, found: Solution) -> bool:
+    """Return whether every statement of a program holds in what was found."""
+    return all(one.relation.check(scene, found.layout).met for one in program.statements)
 
 
 def _ways(scene: Scene, program: Program, found: Solution) -> Iterator[Program]:
