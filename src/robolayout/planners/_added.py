@@ -81,11 +81,11 @@ class Added:
         return self.wishes.floor_area(group) == 0 or taken <= limit * self.floor
 
     def _room_on_tops(self, group: Mapping[str, int]) -> bool:
-        """Whether tops have room for everything that can stand on some."""
-        things = both(self.wished, self.found, group)
-        area = {name: count * math.prod(self.wishes.kinds[name].size[:2]) for name, count in things.items()}
-        tops = sum(area[name] for name in things if (role := self.wishes.role(name)) is not None and role.top)
-        carried = (area[name] for name in things if "object" in self.wishes.kinds[name].places)
+        """Whether tops have room for everything that is added and can stand on some."""
+        added, kinds = both(self.found, group), self.wishes.kinds
+        area = {name: count * math.prod(kinds[name].size[:2]) for name, count in both(self.wished, added).items()}
+        tops = sum(area[name] for name in area if (role := self.wishes.role(name)) is not None and role.top)
+        carried = (added[name] * math.prod(kinds[name].size[:2]) for name in added if "object" in kinds[name].places)
         return sum(carried) <= ON_TOPS * tops
 
     def _too_high(self, name: str) -> bool:

@@ -253,6 +253,8 @@ class Attempt:
                 return []
         elif next(iter(modes)) == "wall":
             left = [one for one in clusters if not self._place(one, {"wall": 0.0}, weights, limit=COSTS.bad)]
+            if "middle" not in modes:
+                return left  # their walls are demanded
             least = COSTS.block
         for equal in alike(self.site, left):
             for count in sorted({max(2, round(len(equal) * share)) for share in COSTS.shares}, reverse=True):
