@@ -265,7 +265,8 @@ class References(Spoken):
                 if mention.thing.times == 1 and not owned and not dealt:
                     mention.thing.times = count * (2 if chunk.value == "flank" and mention.thing.number == 1 else 1)
         lined = (to for to in objects if chunk.value == "wall" and isinstance(to, Place) and to.name == "wall")
-        walls = next((to.number or 2 * to.plural for to in lined), 0)
+        several = not {"line", "lines", "lined", "lining"}.isdisjoint(chunk.adjectives)  # not "along the walls"
+        walls = next((to.number or 2 * (to.plural and several) for to in lined), 0)
         for thing in (mention.thing for mention in subjects):
             if walls and thing.plural and thing.number is None:
                 thing.number = 2 * walls  # "bookshelves line two walls"
