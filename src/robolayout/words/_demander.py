@@ -51,20 +51,12 @@ class Demander(AtPlaces):
         asked = [(link, self._asked(link)) for link in links]
         in_corners = (it.subjects for _, it in asked if it.place is not None and it.place.name == "corner")
         self.cornered = frozenset(name for subjects in in_corners for name in subjects)
-        seats = Counter(
-            b
-            for link, it in asked
-            for a, b in it.twos
-            if link.relation in ("with", "around") and self._is(a, ways_of.SEATS)
-        )
-        behind = [
-            (a, b, link.relation) for link, it in asked for a, b in it.twos if link.relation in ("behind", "flank")
-        ]
-        backed = {
-            b for a, b, how in behind if self._asset(a).on_floor and (how == "flank" or not self._is(a, ways_of.SEATS))
-        }
+        twos = [(link.relation, *two) for link, it in asked for two in it.twos]
+        sat_on = {a for _, a, _ in twos if self._is(a, ways_of.SEATS)}
+        seats = Counter(b for how, a, b in twos if how in ("with", "around") and a in sat_on)
+        on_floor = [(how, a, b) for how, a, b in twos if self._asset(a).on_floor]
+        backed = {b for how, a, b in on_floor if how == "flank" or (how == "behind" and a not in sat_on)}
         self.surrounded = frozenset(backed.union(name for name, count in seats.items() if count > 2))
-        twos = [(link.relation, *two) for link, it in asked for two in it.twos if self._is(two[1], ("desk",))]
         hosted = any(
             self._is(asset.name, ways_of.SEATS) and not ways_of.visits(asset.category) for asset in scene.assets
         )
@@ -72,7 +64,8 @@ class Demander(AtPlaces):
         self.manned = {
             b
             for relation, a, b in twos
-            if self._sits_behind(a, b)
+            if self._is(b, ("desk",))
+            and self._sits_behind(a, b)
             and (relation == "behind" or (hosted and ways_of.visits(self._asset(a).category)))
         }
         self.told = ToldRows(scene, [(link, it.subjects, it.others) for link, it in asked])

@@ -237,9 +237,8 @@ class References(Spoken):
     def _led_back(self, relation: str) -> Sequence[Mention | Place]:
         """Return what a relation leads to where nothing is named: "a loft bed with a desk underneath", "a bed on the left"."""
         if relation == "opposite":  # of a single seat, bed or desk: "a bed ..., a mirror on the wall opposite"
-            facing = [m for m in map(Mention, self.said.things) if m.thing.head in ("desk", *SEATS, *SLEPT_ON)]
-            last = [m for m in facing if m.thing not in named(self.about)][-1:]
-            return [m for m in last if not several(m)]
+            faced = self._last_of(("desk", *SEATS, *SLEPT_ON), named(self.about))
+            return [m for m in faced if not several(m)]
         if self.holder or relation not in ("left", "right"):
             return self.holder or self._meant("it", relation)
         side, of = self.contrast

@@ -135,9 +135,8 @@ class Spoken:
         own = named(self.about)
         bearers = [named(k.objects) for k in self.said.links if k.relation == "on" and own & named(k.subjects)]
         own = own.union(*bearers)  # "a camera on a tripod before it"
-        beds = [thing for thing in self.said.things if thing.head in SLEPT_ON and thing not in own]
-        if relation == "foot" and beds:
-            return [Mention(beds[-1])]  # "a wardrobe opposite the beds and a rug at their feet"
+        if relation == "foot" and (bed := self._last_of(SLEPT_ON, own)):
+            return bed  # "a wardrobe opposite the beds and a rug at their feet"
         if word.startswith("the row"):
             rows = next((list(k.subjects) for k in reversed(self.said.links) if k.relation in small.ORDERS), [])
             others = [m for m in self.recent if several(m) and m.thing not in own | named(rows)]
@@ -161,6 +160,10 @@ class Spoken:
         return self._kept(word, relation, own, fresh=self.told >= self.began or not earlier) or self._last(
             word, relation, earlier, to
         )
+
+    def _last_of(self, heads: Sequence[str], own: set[Thing]) -> list[Mention]:
+        """Return what was named last of things with some last words, `own` aside; nothing where there is none."""
+        return [Mention(thing) for thing in self.said.things if thing.head in heads and thing not in own][-1:]
 
     def _kept(self, word: str, relation: str, own: set[Thing], *, fresh: bool) -> list[Mention]:
         """Return what the last "it" stood for where this one stands for the same; fresh where no thing was named since."""
