@@ -10,17 +10,16 @@ shortest-path search from the door serves all things. Finer ways than the lattic
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
 from itertools import pairwise
-from typing import Any
 
 import numpy as np
 import shapely
 from numpy.typing import NDArray
 from scipy.sparse import csr_array
-from scipy.sparse.csgraph import dijkstra
+from scipy.sparse.csgraph import breadth_first_order, dijkstra
 
 from robolayout.scene import Agent, Point, Room
 from robolayout.verify._obstacles import Obstacles
@@ -51,6 +50,9 @@ class LatticeConfig:
 LATTICE = LatticeConfig()
 
 Poses = NDArray[np.float64]  # (n, 3): x and y in metres and heading in radians
+
+Places = Callable[[float], Iterable[tuple[str, bytes]]]
+"""Yields for a heading in radians, half a turn changing nothing, names of things and from where a body uses them: polygons as WKB."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -84,14 +86,6 @@ def _axes(heading: float) -> NDArray[np.float64]:
     """Return the axes (2, 2) of a lattice."""
     c, s = math.cos(heading), math.sin(heading)
     return np.array([(c, s), (-s, c)])
-
-
-@lru_cache(maxsize=256)
-def _inside(grid: _Grid, room: Room, body: bytes) -> NDArray[np.bool_]:
-    """Return (n,) at which places a convex body, corners (m, 2) as bytes, stands in the empty room."""
-    free = free_of(room, np.array([], dtype=object), np.frombuffer(body).reshape(-1, 2))
-    shapely.prepare(free)
-    return np.asarray(shapely.contains_xy(free, *grid.places.T))
 
 
 @dataclass(frozen=True, eq=False)
@@ -162,6 +156,64 @@ def _met(grid: _Grid, sweeps: _Sweeps, ring: bytes) -> NDArray[np.intp]:
     return np.concatenate(met)
 
 
+def _inside(grid: _Grid, room: Room, body: NDArray[np.float64]) -> NDArray[np.bool_]:
+    """Return (n,) at which places a convex body, corners (m, 2), stands in the empty room."""
+    free = free_of(room, np.array([], dtype=object), body)
+    shapely.prepare(free)
+    return np.asarray(shapely.contains_xy(free, *grid.places.T))
+
+
+@lru_cache(maxsize=4096)
+def _among(grid: _Grid, zone: bytes) -> NDArray[np.intp]:
+    """Return which places lie in a zone, WKB."""
+    area = shapely.from_wkb(zone)
+    x0, y0, x1, y1 = area.bounds
+    x, y = grid.places.T
+    shapely.prepare(area)
+    near = np.flatnonzero((x >= x0) & (x <= x1) & (y >= y0) & (y <= y1))
+    return near[shapely.intersects_xy(area, x[near], y[near])]
+
+
+@dataclass(frozen=True, eq=False)
+class _Graph:
+    """What of a lattice is open in the empty room: nodes are (heading, place), edges are listed node after node."""
+
+    free: NDArray[np.bool_]  # flat (sweep, place): where nothing of the room is met; one more that is always free
+    first: NDArray[np.intp]  # (nodes + 1,) the number of each node's first edge
+    after: NDArray[np.int32]  # (edges,) the node to which each leads
+    needs: NDArray[np.int32]  # (edges,) what has to be free for it
+    kind: NDArray[np.uint8]  # (edges,) which of the costs it has
+    costs: NDArray[np.float64]  # of each move, and of a reversal
+    # edges of moves from or to a place at the first heading, and these places
+    entering: tuple[NDArray[np.intp], NDArray[np.intp]]
+
+
+@lru_cache(maxsize=4)
+def _graph(grid: _Grid, room: Room, agent: Agent) -> _Graph:
+    """Return the lattice of a body in an empty room: its moves, and reversals where it stands."""
+    sweeps, count, half = _swept(agent, grid.heading, grid.cell), len(grid.places), TURNS // 2
+    free = np.append(np.concatenate([_inside(grid, room, shape) for shape in sweeps.shapes]), True)
+    places, edges, costs = np.arange(count, dtype=np.int32), list[NDArray[np.int32]](), list[float]()
+    for k, (moves, of) in enumerate(zip(sweeps.moves, sweeps.of, strict=True)):
+        for move, (shape, back) in zip(moves, of, strict=True):
+            there = places + move.step[0] * grid.shape[1] + move.step[1]
+            needs = shape * count + (there if any(back) else places)
+            nodes = k * count + places, (k + move.turn) % TURNS * count + there
+            held = (needs >= shape * count) & (needs < (shape + 1) * count)
+            held[held] = free[needs[held]]
+            edges.append(np.stack([*nodes, needs, np.full_like(needs, len(costs))])[:, held])
+            costs.append(move.cost)
+    stands = np.unique(np.concatenate([ends[:2].ravel() for ends in edges]))
+    turned = (stands + half * count) % (TURNS * count)
+    edges.append(np.stack([stands, turned, np.full_like(stands, len(free) - 1), np.full_like(stands, len(costs))]))
+    table = np.concatenate(edges, axis=1)
+    before, after, needs, kind = table[:, np.argsort(table[0], kind="stable")]
+    first = np.searchsorted(before, np.arange(TURNS * count + 1))
+    ends = [np.flatnonzero((end < count) & (kind < len(costs))) for end in (before, after)]
+    entering = np.concatenate(ends), np.concatenate([before[ends[0]], after[ends[1]]])
+    return _Graph(free, first, after, needs, kind.astype(np.uint8), np.array([*costs, LATTICE.reversal]), entering)
+
+
 class Lattice:
     """Where a body with length, width and turning radius can drive from the door; its places do not depend on what stands there.
 
@@ -176,74 +228,69 @@ class Lattice:
         (left, bottom), (right, top) = np.floor(corners.min(axis=0)), np.ceil(corners.max(axis=0))
         shape = (int(right - left) + 1, int(top - bottom) + 1)
         self._grid = _Grid(start, heading, cell, (int(left), int(bottom)), shape)
-        self._places, self._angle = self._grid.places, heading
-        self._sweeps = _swept(agent, heading, cell)
+        self._places, self._angle, self._graph = self._grid.places, heading, _graph(self._grid, room, agent)
 
     @cached_property
-    def _open(self) -> list[list[NDArray[np.bool_]]]:
-        """For each heading and each of its moves, from which places what it sweeps meets nothing."""
-        grid, sweeps = self._grid, self._sweeps
-        free = np.array([_inside(grid, self._room, shape.tobytes()) for shape in sweeps.shapes])
+    def _open(self) -> NDArray[np.bool_]:
+        """(edges,) which of the empty room's are open as things stand."""
+        sweeps, free = _swept(self._agent, self._angle, self._grid.cell), self._graph.free.copy()
         for ring in shapely.get_coordinates(self._blocking.shapes).reshape(-1, 5, 2)[:, :4]:
-            free.flat[_met(grid, sweeps, ring.tobytes())] = False
-        free = free.reshape(-1, *grid.shape)
-        return [[np.roll(free[i], step, axis=(0, 1)).ravel() for i, step in moves] for moves in sweeps.of]
+            free[_met(self._grid, sweeps, ring.tobytes())] = False
+        return free[self._graph.needs]
+
+    def _links(self, values: NDArray[np.generic]) -> csr_array:
+        """Return which node (heading, place) leads to which as things stand; values of the empty room's edges (edges,) to go with that."""
+        graph, nodes = self._graph, TURNS * len(self._places)
+        first = np.concatenate([[0], np.cumsum(self._open)]).astype(np.int32)[graph.first]
+        return csr_array((values[self._open], graph.after[self._open], first), shape=(nodes, nodes))
 
     @cached_property
-    def _found(self) -> tuple[NDArray[np.float64], NDArray[np.intp]]:
-        """Cost in metres from the start to every (heading, place), and the node before it; negative where there is none."""
-        before, after, costs = self._edges()
-        count = TURNS * len(self._places)
-        start = self._start(np.isin(np.arange(len(self._places)), (before, after)))
-        if start is None:
-            return np.full(count, np.inf), np.full(count, -1, dtype=np.intp)
-        graph = csr_array((costs, (before, after)), shape=(count, count))
-        cost, previous = dijkstra(graph, indices=start, return_predecessors=True)
-        return cost, previous
-
-    def _edges(self) -> tuple[NDArray[np.intp], NDArray[np.intp], NDArray[np.float64]]:
-        """Return from which node (heading, place) a body gets to which, and at what cost: moves, and reversals where it stands."""
-        count, half = len(self._places), TURNS // 2
-        stands = np.zeros((TURNS, count), dtype=bool)
-        edges: list[tuple[NDArray[np.intp], NDArray[np.intp], float]] = []
-        for k, moves in enumerate(self._sweeps.moves):
-            for move, free in zip(moves, self._open[k], strict=True):
-                here, turned = np.flatnonzero(free), (k + move.turn) % TURNS
-                there = here + move.step[0] * self._grid.shape[1] + move.step[1]
-                edges.append((k * count + here, turned * count + there, move.cost))
-                stands[k, here] = stands[turned, there] = True
-        k, here = np.nonzero(stands & np.roll(stands, half, axis=0))
-        edges.append((k * count + here, (k + half) % TURNS * count + here, LATTICE.reversal))
-        before, after = (np.concatenate(ends) for ends in list(zip(*edges, strict=True))[:2])
-        return before, after, np.concatenate([np.full(len(rows), cost) for rows, _, cost in edges])
-
-    def _start(self, stands: NDArray[np.bool_]) -> int | None:
-        """Return the place nearest to where the body comes in at which it can stand, heading into the room."""
-        here, doors = np.flatnonzero(stands), self._room.doors
+    def _start(self) -> int | None:
+        """The place nearest to where the body comes in at which it can stand, heading into the room; None where there is none."""
+        (edges, places), doors = self._graph.entering, self._room.doors
+        here = np.unique(places[self._open[edges]])
         away = np.hypot(*(self._places[here] - self._grid.origin).T)
         aside = max(0.0, doors[0].width - (self._agent.width or 0.0)) / 2 if doors else 0.0
         return int(here[np.argmin(away)]) if len(here) and away.min() <= LATTICE.entry + aside else None
 
-    def drives(self, places: Callable[[float], tuple[Sequence[str], NDArray[np.object_]]]) -> dict[str, Drive]:
-        """Return the cheapest drive to each thing that the body gets to.
+    @cached_property
+    def _found(self) -> tuple[NDArray[np.float64], NDArray[np.intp]]:
+        """Cost in metres from the start to every (heading, place), and the node before it; negative where there is none."""
+        graph, nodes = self._graph, TURNS * len(self._places)
+        if self._start is None:
+            return np.full(nodes, np.inf), np.full(nodes, -1, dtype=np.intp)
+        links = self._links(graph.costs[graph.kind])
+        cost, previous = dijkstra(links, indices=self._start, return_predecessors=True)
+        return cost, previous
 
-        `places` returns for a heading in radians the names (m,) of things and from where the centre uses them, (m,) polygons;
-        half a turn changes nothing.
-        """
+    def reached(self, places: Places) -> set[str]:
+        """Return what the body gets to."""
+        there = np.zeros((2, TURNS // 2, len(self._places)), dtype=bool)
+        if self._start is not None:
+            found = breadth_first_order(self._links(self._graph.kind), self._start, return_predecessors=False)
+            there.ravel()[found] = True
+        either = there[0] | there[1]
+        names = set[str]()
+        for k in range(TURNS // 2):
+            zones = ((name, zone) for name, zone in places(self._angle + ANGLES[k]) if name not in names)
+            names |= {name for name, zone in zones if either[k, _among(self._grid, zone)].any()}
+        return names
+
+    def drives(self, places: Places) -> dict[str, Drive]:
+        """Return the cheapest drive to each thing that the body gets to."""
         cost, _ = self._found
         by_heading, count = cost.reshape(TURNS, -1), len(self._places)
         best: dict[str, tuple[float, int]] = {}
-        spots: Any = shapely.points(self._places)
         for k in range(TURNS // 2):
             both = by_heading[[k, k + TURNS // 2]]
-            there = np.flatnonzero(np.isfinite(both).any(axis=0))
-            names, zones = places(self._angle + ANGLES[k])
-            asked, hit = shapely.STRtree(spots[there]).query(zones, predicate="intersects")
-            ahead = both[:, there[hit]].argmin(axis=0)
-            nodes = (k + ahead * (TURNS // 2)) * count + there[hit]
-            for number, node in zip(asked.tolist(), nodes.tolist(), strict=True):
-                name, found = names[int(number)], (float(cost[node]), int(node))
-                best[name] = min(best.get(name, found), found)
+            ahead, least = both.argmin(axis=0), both.min(axis=0)
+            for name, zone in places(self._angle + ANGLES[k]):
+                there = _among(self._grid, zone)
+                near = least[there]
+                if len(there) and math.isfinite(lowest := float(near.min())):
+                    nodes = (k + ahead[there] * (TURNS // 2)) * count + there
+                    found = (lowest, int(nodes[near == lowest].min()))
+                    best[name] = min(best.get(name, found), found)
         return {name: self._drive(name, node) for name, (_, node) in best.items()}
 
     def _drive(self, name: str, node: int) -> Drive:
@@ -253,14 +300,14 @@ class Lattice:
         while previous[chain[-1]] >= 0:
             chain.append(int(previous[chain[-1]]))
         chain.reverse()
-        heading, reversals = self._angle, 0
+        heading, reversals, moves = self._angle, 0, _swept(self._agent, self._angle, self._grid.cell).moves
         poses = [(*self._places[chain[0] % count].tolist(), heading)]
         for (before, here), (after, there) in pairwise(divmod(node, count) for node in chain):
             turn = (after - before + TURNS // 2) % TURNS - TURNS // 2
             if here == there and abs(turn) == TURNS // 2:
                 reversals += 1
             else:
-                move = next(m for m in self._sweeps.moves[before] if m.turn == turn and any(m.step) == (here != there))
+                move = next(m for m in moves[before] if m.turn == turn and any(m.step) == (here != there))
                 spots = self._places[here] + move.poses[:, :2] @ self._axes
                 turned = heading + move.poses[:, 2] - ANGLES[before]
                 poses += [(x, y, yaw) for (x, y), yaw in zip(spots.tolist(), turned.tolist(), strict=True)]

@@ -96,7 +96,7 @@ class Headings:
         wall, self._step = room.walls[room.doors[0].wall if room.doors else 0], math.pi / FINE.headings
         first = math.atan2(wall.normal[1], wall.normal[0])
         self.headings = tuple(first + self._step * k for k in range(FINE.headings))
-        self._pieces, self.opened = cache(self._free), cache(self._beyond)
+        self._pieces, self._further = cache(self._free), cache(self._beyond)
 
     def _free(self, number: int) -> list[Polygon]:
         """Return the pieces of the free space of one heading."""
@@ -123,15 +123,16 @@ class Headings:
         shapely.prepare(found)
         return found
 
-    def _beyond(self, rows: frozenset[int]) -> tuple[Region, ...]:
-        """Return what the body gets to beyond that, sliding in without a turn, once some assets are moved away; by heading."""
-        found: list[Region] = []
-        for k, heading in enumerate(self.headings):
-            body = rectangle(self._agent, heading)
-            spaces = (_empty(self._room, body.tobytes()), MultiPolygon(self._pieces(k)), self.space.standing[k])
-            parts = opened(self._blocking, rows, spaces, partial(_larger, body), self._agent.circumradius)
-            found += [(heading, part) for part in parts]
-        return tuple(found)
+    def opened(self, rows: frozenset[int]) -> Iterator[Region]:
+        """Yield what the body gets to beyond that, sliding in without a turn, once some assets are moved away; by heading."""
+        for number, heading in enumerate(self.headings):
+            yield from ((heading, part) for part in self._further(number, rows))
+
+    def _beyond(self, number: int, rows: frozenset[int]) -> NDArray[np.object_]:
+        """Return the same at one heading."""
+        body = rectangle(self._agent, self.headings[number])
+        spaces = (_empty(self._room, body.tobytes()), MultiPolygon(self._pieces(number)), self.space.standing[number])
+        return opened(self._blocking, rows, spaces, partial(_larger, body), self._agent.circumradius)
 
     def _joined(self, numbers: Sequence[int]) -> HeadingSpace:
         """Return where the body gets to with these headings alone."""

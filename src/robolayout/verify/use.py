@@ -12,14 +12,14 @@ from __future__ import annotations
 
 import itertools
 import math
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cache, cached_property
+from typing import TYPE_CHECKING
 
 import numpy as np
 import shapely
 from numpy.typing import NDArray
-from shapely import Polygon
 from shapely.geometry.base import BaseGeometry
 
 from robolayout.assets import sweeps_of
@@ -33,6 +33,9 @@ from robolayout.verify.heading import Drive, Headings, HeadingSpace, Region, ent
 from robolayout.verify.holds import find_hold
 from robolayout.verify.limits import JUDGE
 from robolayout.verify.navigation import Navigation, navigation
+
+if TYPE_CHECKING:
+    from robolayout.verify.driving import Lattice
 
 
 @dataclass(frozen=True)
@@ -60,6 +63,7 @@ class Usage:
         self._touches = self.agent.reach_distance is None and rectangular
         self._touching = cache(self._touched)
         self._held: dict[int, tuple[Hold, ...]] = {}
+        self._used = cache(self._use)
         self._approach = self._approaches()
 
     @cached_property
@@ -104,13 +108,13 @@ class Usage:
     @cached_property
     def uses(self) -> Mapping[str, Use]:
         """How each placed asset is used, or why not."""
-        return {self._found.names[row]: self._use(row) for row in np.flatnonzero(self._found.placed).tolist()}
+        return {self._found.names[row]: self._used(row) for row in np.flatnonzero(self._found.placed).tolist()}
 
     @cached_property
     def holds(self) -> tuple[Hold, ...]:
         """How the body opens each door and drawer, of what it uses from the front, whose handle is at a height that it reaches."""
-        rows = (row for row, name in enumerate(self._found.names) if name in self.uses and self.uses[name].opens)
-        return tuple(hold for row in rows for hold in self._holds(row))
+        rows = np.unique([row for row, side in self._each if side == "front" and by_hand(self._found, self.agent, row)])
+        return tuple(hold for row in rows.tolist() if self._used(row).opens for hold in self._holds(row))
 
     @cached_property
     def _standing(self) -> NDArray[np.bool_]:
@@ -127,9 +131,10 @@ class Usage:
         found, rows = np.zeros(len(usable), dtype=bool), self._ways.rows
         for row in sorted(set(rows[self._able & ~usable[rows]].tolist())):
             of_row = np.flatnonzero(self._able & (rows == row))
-            for heading, region in self._opened(row)[1]:
-                here = of_row[self._faces(heading)[of_row]]
-                found[row] |= bool(shapely.intersects(region, self._ways.zones[here]).any())
+            found[row] = any(
+                shapely.intersects(region, self._ways.zones[of_row[self._faces(heading)[of_row]]]).any()
+                for heading, region in self._opened(row)
+            )
         return found
 
     def _shut(self, row: int) -> bool:
@@ -169,14 +174,18 @@ class Usage:
             return self._headings.space.regions
         return () if self._nav.main.is_empty else ((0.0, self._nav.main),)
 
-    def _opened(self, row: int) -> tuple[frozenset[int], tuple[Region, ...]]:
-        """Return which chairs are moved away to use an asset, and what that opens."""
-        moved = self._nav.blocking.moved_for(self._found, row)
+    def _chairs(self, row: int) -> frozenset[int]:
+        """Return which chairs are moved away to use an asset."""
+        return self._nav.blocking.moved_for(self._found, row)
+
+    def _opened(self, row: int) -> Iterable[Region]:
+        """Return where a body gets to besides once the chairs of an asset are moved away."""
+        moved = self._chairs(row)
         if not moved:
-            return moved, ()
+            return ()
         if self._headings is not None:
-            return moved, self._headings.opened(moved)
-        return moved, tuple((0.0, part) for part in self._nav.space.opened(moved))
+            return self._headings.opened(moved)
+        return ((0.0, part) for part in self._nav.space.opened(moved))
 
     def _approaches(self) -> NDArray[np.object_]:
         """Return (m,) how a seated body works at each approach: "frontally" or "sideways"; empty where it is all one."""
@@ -205,13 +214,17 @@ class Usage:
     def _stands(self, row: int) -> Iterator[tuple[int, BaseGeometry, frozenset[int]]]:
         """Yield how an asset can be used: number of the approach, where the centre stands, what may have to be moved away."""
         able = [i for i in self._ways.of(row) if self._able[i]]
-        moved, beside = self._opened(row)
-        for regions, chairs in ((self._everywhere, frozenset[int]()), (beside, moved)):
-            for i, (heading, region) in itertools.product(able, regions):
-                if not self._faces(heading)[i]:
-                    continue
+        for moved in (False, True):
+            for i in able:
+                for places in self._spots(i, self._opened(row) if moved else self._everywhere):
+                    yield i, places, self._chairs(row) if moved else frozenset()
+
+    def _spots(self, number: int, regions: Iterable[Region]) -> Iterator[BaseGeometry]:
+        """Yield where the centre stands at an approach, of these regions."""
+        for heading, region in regions:
+            if self._faces(heading)[number]:
                 for zones in (self._ways.zones, self._touching(heading)) if self._touches else (self._ways.zones,):
-                    yield i, region.intersection(zones[i]), chairs
+                    yield region.intersection(zones[number])
 
     def _touched(self, heading: float) -> NDArray[np.object_]:
         """Return (m,) from where the body touches each approach at a heading in radians."""
@@ -220,25 +233,37 @@ class Usage:
     @cached_property
     def drives(self) -> Mapping[str, Drive] | None:
         """How a body with a turning radius drives to what it uses, no chair moved; None for one that slides sideways."""
+        if not self._steers:
+            return None
+        return self._lattice.drives(self._places) if self._lattice else {}
+
+    @property
+    def _steers(self) -> bool:
+        """Whether the body cannot slide sideways."""
+        return self.agent.turning_radius is not None and self._headings is not None
+
+    @cached_property
+    def _lattice(self) -> Lattice | None:
+        """Where a body that steers drives; None if it comes in nowhere."""
         from robolayout.verify.driving import Lattice
 
         room, agent, headings = self._nav.scene.room, self.agent, self._headings
-        if agent.turning_radius is None or headings is None:
-            return None
+        assert headings is not None
         if room.doors:  # where its centre comes in if nothing is in the way
             came_in = room.walls[room.doors[0].wall].point(room.doors[0].center, (agent.length or 0.0) / 2)
         elif headings.space.start is None:
-            return {}
+            return None
         else:
             came_in = entry(room, headings.space.pieces[headings.space.start])
-        return Lattice(room, self._nav.blocking, agent, came_in, headings.headings[0]).drives(self._places)
+        return Lattice(room, self._nav.blocking, agent, came_in, headings.headings[0])
 
     @cached_property
     def _driven(self) -> NDArray[np.bool_]:
         """(n,) what the body gets to with its heading."""
-        if self.drives is None:
+        if not self._steers:
             return np.ones(len(self._found.names), dtype=bool)
-        return self._idle | np.isin(self._found.names, list(self.drives))
+        reached = self._lattice.reached(self._places) if self._lattice else set[str]()
+        return self._idle | np.isin(self._found.names, list(reached))
 
     def _stranded(self, row: int) -> BaseGeometry | None:
         """Return from where a body would use an asset if it found a way to drive there; None where it does, or has no place."""
@@ -254,14 +279,17 @@ class Usage:
         spot = shapely.get_point(shapely.shortest_line(places, self._found.footprints[row].centroid), 0)
         return self._others(row, shapely.distance(blocking.shapes, spot) < circle)
 
-    def _places(self, heading: float) -> tuple[Sequence[str], NDArray[np.object_]]:
-        """Return from where the body uses what at a heading in radians: (m,) names and zones, nothing where it cannot."""
-        zones = self._ways.zones
-        if self._touches:
-            zones = shapely.union(zones, self._touching(heading))
-        found = zones.copy()
-        found[~(self._able & self._faces(heading))] = Polygon()
-        return [self._found.names[row] for row in self._ways.rows.tolist()], found
+    def _places(self, heading: float) -> Iterator[tuple[str, bytes]]:
+        """Yield what the body may use at a heading in radians, and from where, as WKB."""
+        touched = shapely.to_wkb(shapely.union(self._ways.zones, self._touching(heading))) if self._touches else None
+        keys = self._keys if touched is None else touched
+        for number in np.flatnonzero(self._able & self._faces(heading)).tolist():
+            yield self._found.names[int(self._ways.rows[number])], keys[number]
+
+    @cached_property
+    def _keys(self) -> NDArray[np.object_]:
+        """(m,) from where each approach is made, as WKB."""
+        return np.asarray(shapely.to_wkb(self._ways.zones), dtype=object)
 
     @cached_property
     def _in_front(self) -> Mapping[int, tuple[str, ...]]:
@@ -307,19 +335,22 @@ class Usage:
         """Return how the body opens each door and drawer whose handle is at a height that it reaches."""
         if row in self._held:
             return self._held[row]
-        moved, beside = self._opened(row)
-        chairs, place = tuple(self._found.names[i] for i in sorted(moved)), self._found.where(row)[1]
-        before = self._ways.beyond[next(i for i in self._ways.of(row) if self._ways.sides[i] == "front")]
-        regions = [
-            (heading - place[3], out_of_room(areas(region & before), place), aside)
-            for places, aside in ((self._everywhere, ()), (beside, chairs))
-            for heading, region in places
-        ]
+        hands = by_hand(self._found, self.agent, row)
+        regions = itertools.tee(self._before(row), len(hands))
         self._held[row] = tuple(
-            find_hold(self._found, self.agent, row, joint, reach + ROUNDING, regions)
-            for joint, reach in by_hand(self._found, self.agent, row)
+            find_hold(self._found, self.agent, row, joint, reach + ROUNDING, stands)
+            for (joint, reach), stands in zip(hands, regions, strict=True)
         )
         return self._held[row]
+
+    def _before(self, row: int) -> Iterator[tuple[float, BaseGeometry, tuple[str, ...]]]:
+        """Yield from where a body opens an asset, in its frame: headings, places before its front, and what is moved for them."""
+        place = self._found.where(row)[1]
+        before = self._ways.beyond[next(i for i in self._ways.of(row) if self._ways.sides[i] == "front")]
+        chairs = tuple(self._found.names[i] for i in sorted(self._chairs(row)))
+        for moved in (False, True):
+            for heading, region in self._opened(row) if moved else self._everywhere:
+                yield heading - place[3], out_of_room(areas(region & before), place), chairs if moved else ()
 
     def _crowding(self, row: int) -> tuple[str, ...]:
         """Return what stands where a body would open what of an asset stays shut: as far ahead as that sweeps and it is wide."""
@@ -368,7 +399,7 @@ class Usage:
     def _nearest(self, row: int, number: int) -> float:
         """Return metres from an approach to the nearest place to stand beyond it (or to a body that only touches)."""
         target, away = self._ways.target(number), math.inf
-        for heading, region in (*self._everywhere, *self._opened(row)[1]):
+        for heading, region in (*self._everywhere, *self._opened(row)):
             place = region.intersection(self._ways.beyond[number])
             if not place.is_empty:
                 if self._touches:
