@@ -340,17 +340,21 @@ def _opened(
     pinned: Mapping[str, Pose] | None = None,
     progress: Progress | None = None,
 ) -> Solution:
-    """Return the best of a solution and those with other ways of what the program leaves open, where a statement is not met."""
+    """Return the best of a solution and those with other ways of what the program leaves open, where a statement is not met.
+
+    They begin with the room as it stands, which is soon done, and then with rooms that are built for them, once each.
+    """
     if _said_holds(scene, program, best):  # drawers that stay shut are no statements
         return best
     judge, brief = make_judge(scene, program), (config or SolverConfig()).at("quick")
-    ways = islice(_ways(scene, program, best), FLOW.most_ways)
-    problems = [compile_problem(scene, way, seed=seed, pinned=pinned) for way in ways]
-    for problem in sorted(problems, key=lambda one: judge(one.guess).promise)[: FLOW.solved_ways]:
-        found = solve_with("default", problem, judge, seed=seed, config=brief, progress=progress)
-        best = min(best, found, key=lambda one: one.verdict.merit)
-        if _said_holds(scene, program, best):
-            break
+    ways = tuple(islice(_ways(scene, program, best), FLOW.most_ways))
+    for built in (best.layout, None) if len(program.guesses) < len(scene.assets) else (None,):
+        problems = [compile_problem(scene, way, seed=seed, pinned=pinned, built=built, attempts=1) for way in ways]
+        for problem in sorted(problems, key=lambda one: judge(one.guess).promise)[: FLOW.solved_ways]:
+            found = solve_with("default", problem, judge, seed=seed, config=brief, progress=progress)
+            best = min(best, found, key=lambda one: one.verdict.merit)
+            if _said_holds(scene, program, best):
+                return best
     return best
 
 

@@ -44,11 +44,12 @@ def make_judge(scene: Scene, program: Program) -> Judge:
         for agent in bodies:
             if enough(replace(found, access=access, soft=soft)):
                 break
-            report = judge_agent(scene, layout, agent)
-            fixable = _fixable(report, report.usage.standing, layout)
-            if not enough(replace(found, access=access + _missing(report, fixable), soft=soft)):
-                # how it drives there and opens what it uses is dear, and only ever makes it worse
-                fixable = _fixable(report, report.usage.usable, layout)
+            report, fixable = judge_agent(scene, layout, agent), list[str]()
+            for usable in _used(report):
+                fixable = _fixable(report, usable, layout)
+                if enough(replace(found, access=access + _missing(report, fixable), soft=soft)):
+                    break
+            else:
                 shut = [hold.asset for hold in report.usage.holds if not hold.poses]
                 soft += WORTH.shut * len(shut)
                 blamed += _blamed(report, [*fixable, *dict.fromkeys(shut)])
@@ -84,6 +85,17 @@ class _Asked:
             seen = _Read(layout.poses)
             self._met, self._read = self.relation.check(scene, Layout(seen)).met, seen.read
         return self._met
+
+
+def _used(found: AgentReport) -> Iterator[Mapping[str, bool]]:
+    """Yield what a body uses: all, less what it has no place to use, then what it does not get to, then what it cannot open.
+
+    Each is dearer to find out than the one before.
+    """
+    yield dict.fromkeys(found.navigation.reached, True)
+    yield found.usage.standing
+    yield found.usage.got_to
+    yield found.usage.usable
 
 
 def _fixable(found: AgentReport, usable: Mapping[str, bool], layout: Layout) -> list[str]:

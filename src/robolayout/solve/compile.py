@@ -162,6 +162,7 @@ def compile_problem(
     seed: int = 0,
     pinned: Mapping[str, Pose] | None = None,
     built: Layout | None = None,
+    attempts: int | None = None,
 ) -> Problem:
     """Return the problem of placing a scene's assets by a program.
 
@@ -171,6 +172,7 @@ def compile_problem(
         seed: Settles where things are built that the program does not place.
         pinned: Poses that must stay.
         built: Poses of such things, where they are known.
+        attempts: How many times a room is built at the most; as many as it takes if None.
     """
     program, pinned = program or Program(), dict(pinned or {})
     relations = tuple(statement.relation for statement in program.statements)
@@ -181,7 +183,7 @@ def compile_problem(
         x0, y0, x1, y1 = scene.room.bounds
         built = Layout({name: p for name, p in said.items() if x0 < p.x < x1 and y0 < p.y < y1} | pinned)
         if len(said.keys() | pinned.keys()) < len(scene.assets):
-            built = furnished(scene, program, built, seed)
+            built = furnished(scene, program, built, seed, attempts)
     poses = {**built, **said}
     parents = _parents(scene, relations, poses, said)
     on = {r.a.name: r.place(scene) for r in relations if isinstance(r, OnTopOf) and parents.get(r.a.name) == r.b.name}

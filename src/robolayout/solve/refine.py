@@ -204,12 +204,13 @@ class Solver:
         if self.verdict.ok:
             self._still(stage, self.made_by)
             return
-        if run is None:
-            nearby = self.repair.proposals.near(stage.world, stage.moving, max(count, 1), self.rng)
-            run = self.runner.advance(stage, nearby, self.config.polish, "polish")
-            self._try(run.ranked())
-        if self._shut:
-            self._route(stage, run)
+        if not self.verdict.right:
+            if run is None:
+                nearby = self.repair.proposals.near(stage.world, stage.moving, max(count, 1), self.rng)
+                run = self.runner.advance(stage, nearby, self.config.polish, "polish")
+                self._try(run.ranked())
+            if self._shut:
+                self._route(stage, run)
         if not self.verdict.broken:
             self._near()
 
@@ -218,16 +219,16 @@ class Solver:
         self._mend(self.effort.mendings)
         run: Run | None = None
         for _ in range(self.effort.built if count else 0):
-            if self.verdict.ok or self.spent:
+            if self.verdict.right or self.spent:
                 break
             made = list[Floats]()
-            while len(made) < count and not self.verdict.ok:
+            while len(made) < count and not self.verdict.right:
                 made.append(self.repair.builder.build(stage.world, stage.moving))
                 self.repair.proposals.bring_in(made[-1][None], stage.moving)
                 self._try(made[-1:])
             if self.verdict.promise <= self.effort.nearly:
                 self._mend(self.effort.mendings)
-            if self.verdict.ok:
+            if self.verdict.right:
                 break
             plans = [self._planned(world, everywhere=True) for world in made]
             more = self.runner.advance(stage, np.array(made), self.config.polish, "polish", plans=plans)

@@ -60,6 +60,11 @@ class Verdict:
         return 4.0 * self.hard + 2.0 * self.access + self.soft
 
     @property
+    def right(self) -> bool:
+        """Whether no demand and no statement is missed: at most something stays shut that could not be opened."""
+        return not self.broken and self.soft < 1.0
+
+    @property
     def ok(self) -> bool:
         """Whether nothing is left to do."""
         return self.merit == 0.0

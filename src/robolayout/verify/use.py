@@ -69,8 +69,7 @@ class Usage:
     @cached_property
     def usable(self) -> Mapping[str, bool]:
         """Verdict per asset."""
-        usable = self._plain & self._driven
-        usable |= self._standing if self._driven.all() else self._aside(usable)
+        usable = self._got_to.copy()
         usable[[row for row in np.flatnonzero(usable).tolist() if self._shut(row)]] = False
         return self._found.by_name(usable)
 
@@ -83,6 +82,11 @@ class Usage:
     def standing(self) -> Mapping[str, bool]:
         """By asset, whether it could stand where it uses it, however it drives there and whatever it opens."""
         return self._found.by_name(self._standing)
+
+    @property
+    def got_to(self) -> Mapping[str, bool]:
+        """By asset, whether it gets to where it uses it, whatever it opens."""
+        return self._found.by_name(self._got_to)
 
     @cached_property
     def undriven(self) -> tuple[str, ...]:
@@ -120,6 +124,12 @@ class Usage:
     def _standing(self) -> NDArray[np.bool_]:
         """(n,) what the body could stand at to use it."""
         return self._plain | self._aside(self._plain)
+
+    @cached_property
+    def _got_to(self) -> NDArray[np.bool_]:
+        """(n,) what the body gets to where it uses it."""
+        plain = self._plain & self._driven
+        return plain | (self._standing if self._driven.all() else self._aside(plain))
 
     @cached_property
     def _able(self) -> NDArray[np.bool_]:

@@ -34,7 +34,7 @@ class Attempts:
 ATTEMPTS = Attempts()
 
 
-def furnished(scene: Scene, program: Program, given: Mapping[str, Pose], seed: int) -> Layout:
+def furnished(scene: Scene, program: Program, given: Mapping[str, Pose], seed: int, most: int | None = None) -> Layout:
     """Return poses for all assets that a program says something of, or nothing: the best of several attempts.
 
     Args:
@@ -42,8 +42,9 @@ def furnished(scene: Scene, program: Program, given: Mapping[str, Pose], seed: i
         program: Statements and wishes; its guesses are not looked at.
         given: Poses that are settled already.
         seed: Settles every choice; 0 follows the wishes to the letter first.
+        most: Attempts at the most; as many as the size of the room is worth if None.
     """
-    site = _furnish(Site.of(scene, wants_of(scene, program), program), given, seed)
+    site = _furnish(Site.of(scene, wants_of(scene, program), program), given, seed, most or attempts(len(scene.assets)))
     poses: dict[str, Pose] = {}
     for name, spot in site.spots.items():
         at = spot.member
@@ -51,8 +52,8 @@ def furnished(scene: Scene, program: Program, given: Mapping[str, Pose], seed: i
     return Layout(poses)
 
 
-def _furnish(empty: Site, given: Mapping[str, Pose], seed: int) -> Site:
-    """Return the best of several attempts; the very first one follows the wishes to the letter.
+def _furnish(empty: Site, given: Mapping[str, Pose], seed: int, most: int) -> Site:
+    """Return the best of so many attempts; the very first one follows the wishes to the letter.
 
     The floor is furnished in every attempt, walls and ceiling only in the best one. It is good enough after `ATTEMPTS.patience`
     attempts without one that is better by `ATTEMPTS.worth`, or `ATTEMPTS.hope` where it does not serve. Where something is out of the way,
@@ -62,7 +63,7 @@ def _furnish(empty: Site, given: Mapping[str, Pose], seed: int) -> Site:
     count = len(empty.scene.assets)
     best: tuple[float, Attempt] | None = None
     leap, forlorn, missed = (math.inf, 0), True, set[str]()
-    for number in range(attempts(count)):
+    for number in range(most):
         site = empty.copy()
         _keep(site, given)
         attempt = Attempt(
