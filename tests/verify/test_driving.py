@@ -8,7 +8,7 @@ import shapely
 from shapely.affinity import translate
 
 import robolayout as rl
-from robolayout.verify import driving
+from robolayout.verify import driving, judge_agent
 
 
 @pytest.mark.parametrize("name", ["wheelchair", "forklift"])
@@ -37,3 +37,25 @@ def test_a_move_and_its_way_back_sweep_one_shape():
     every = [number for numbers in sweeps.of for number, _ in numbers]
     assert sorted(set(every)) == list(range(len(sweeps.shapes)))
     assert len(every) == 2 * len(sweeps.shapes)
+
+
+@pytest.mark.parametrize("body", ["wheelchair", "elder_walker", "amr"])
+def test_a_body_drives_to_what_it_is_said_to_get_to(body: str):
+    scene = rl.load_scene("examples/bedroom.json")
+    layout = rl.generate(scene, agent=body).layout
+    for name in (None, "double_bed-0", "wardrobe-0"):
+        moved = layout if name is None else layout.moved(name, by=(0.35, -0.25))
+        usage = judge_agent(scene, moved, rl.load_agent(body)).usage
+        assert usage.drives is not None and usage._lattice is not None
+        assert set(usage.drives) == usage._lattice.reached(usage._places)
+
+
+def test_what_is_used_is_never_more_than_what_is_got_to_nor_that_than_where_it_stands():
+    scene = rl.load_scene("examples/bedroom.json")
+    layout, less = rl.generate(scene).layout, list[bool]()
+    for name in scene.by_name:
+        usage = judge_agent(scene, layout.moved(name, by=(0.4, 0.4)), rl.load_agent("wheelchair")).usage
+        for each in layout:
+            assert usage.standing[each] >= usage.got_to[each] >= usage.usable[each]
+        less.append(sum(usage.standing.values()) > sum(usage.usable.values()))
+    assert any(less)

@@ -80,18 +80,25 @@ def find_hold(found: Boxes, agent: Agent, row: int, joint: Joint, reach: float, 
     walk = Hold(asset.name, joint.name, ())
     for heading, region, chairs in stands:
         turn = round(math.remainder(heading, math.pi), 9)  # a rectangle is the same half a turn later
-        asked = _opening(asset, joint, round(place[2], 6), agent, turn, reach)
-        still = areas(region & asked.still)
-        if not still.is_empty:
-            places = shapely.get_coordinates(shapely.maximum_inscribed_circle(still))[:1]
-        else:
-            places = () if walk.poses else _walk(region, asked)
-        if len(places):
+        asked = (asset, joint, round(place[2], 6), agent, turn, reach)
+        places = _places(asked, region.wkb, walks=not walk.poses)
+        if places:
             poses = tuple((*in_plan(np.array(at), place).tolist(), heading + place[3]) for at in places)
             walk = Hold(asset.name, joint.name, poses, tuple(dict.fromkeys(chairs + aside)))
-        if not still.is_empty:
+        if len(places) == 1:
             break
     return walk
+
+
+@lru_cache(maxsize=4096)  # while a layout is mended one thing moves: what most others leave free stays as it is
+def _places(asked: tuple[Asset, Joint, float, Agent, float, float], stands: bytes, *, walks: bool) -> tuple[Point, ...]:
+    """Return where a body that gets to some places, WKB, stands while it opens: one place, or one a step if it `walks`; see `_opening`."""
+    region, opening = shapely.from_wkb(stands), _opening(*asked)
+    still = areas(region & opening.still)
+    if still.is_empty:
+        return tuple(_walk(region, opening)) if walks else ()
+    x, y = shapely.get_coordinates(shapely.maximum_inscribed_circle(still))[0].tolist()
+    return ((x, y),)
 
 
 @lru_cache(maxsize=4096)
