@@ -44,6 +44,7 @@ class FlowConfig:
     coarse: float = 0.25  # metres of a cell of the search's floor from which on the report says so
     most_ways: int = 6  # ways of open statements (the corners of a room) that are tried where one is not met
     solved_ways: int = 3  # how many of them, nearest to right as built, are searched
+    worse: float = 2.0  # `Verdict.promise` by which these may be worse than what is to be bettered: they are to be mended, not made
     attempt_stride: int = 1000  # added to the planner's seed for each further attempt
 
 
@@ -350,7 +351,8 @@ def _opened(
     ways = tuple(islice(_ways(scene, program, best), FLOW.most_ways))
     for built in (best.layout, None) if len(program.guesses) < len(scene.assets) else (None,):
         problems = [compile_problem(scene, way, seed=seed, pinned=pinned, built=built, attempts=1) for way in ways]
-        for problem in sorted(problems, key=lambda one: judge(one.guess).promise)[: FLOW.solved_ways]:
+        ranked = sorted(((judge(one.guess).promise, i) for i, one in enumerate(problems)))[: FLOW.solved_ways]
+        for problem in (problems[i] for amiss, i in ranked if amiss <= best.verdict.promise + FLOW.worse):
             found = solve_with("default", problem, judge, seed=seed, config=brief, progress=progress)
             best = min(best, found, key=lambda one: one.verdict.merit)
             if _said_holds(scene, program, best):
