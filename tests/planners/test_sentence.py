@@ -437,3 +437,29 @@ def test_the_window_is_the_only_one(text: str, doors: set[int], windows: set[int
     room = scene_from_sentence(text, seed=seed)[0].room
     assert len(room.doors) in doors
     assert len(room.windows) in windows
+
+
+@pytest.mark.parametrize(
+    ("text", "kind", "axis", "longer"),
+    [
+        ("A library with six low bookshelves and a tall bookshelf.", "bookshelf", 2, [6]),
+        ("A library with a tall bookshelf and two low bookshelves.", "bookshelf", 2, [0]),
+        ("A lounge with a long sofa and a short sofa.", "sofa", 1, [0]),
+        ("A study with a 90 cm wide desk and two 160 cm wide desks.", "desk", 1, [1, 2]),
+    ],
+)
+def test_things_of_one_kind_have_the_sizes_that_are_said_of_each(
+    text: str, kind: str, axis: int, longer: list[int]
+) -> None:
+    scene, _ = scene_from_sentence(text)
+    sizes = [asset.size[axis] for asset in scene.assets if asset.category == kind]
+    assert [i for i, size in enumerate(sizes) if size > 1.2 * min(sizes)] == longer
+    rows = read_words(scene).judged(scene, rl.Layout({}))
+    assert not [row.words for row in rows if row.verdict == "not understood"]
+
+
+def test_things_of_one_kind_have_the_looks_that_are_said_of_each() -> None:
+    scene, _ = scene_from_sentence("A lounge with a red armchair and two blue armchairs, one of them by the window.")
+    looks = [entry["look"] for name, entry in scene_to_dict(scene)["assets"].items() if name.startswith("armchair")]
+    assert ["red" in look for look in looks[:3]] == [True, False, False]
+    assert ["blue" in look for look in looks[:3]] == [False, True, True]

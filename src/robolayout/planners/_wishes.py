@@ -18,7 +18,6 @@ from robolayout.words import (
     KIN,
     Lexicon,
     Link,
-    Measure,
     Mention,
     Place,
     Reading,
@@ -99,7 +98,7 @@ class Wishes:
     @cached_property
     def kinds(self) -> Mapping[str, Category]:
         """All kinds of things, those of the user's own too, as they were first asked for: other words, other sizes."""
-        asked = [self._as_wished(thing) for thing in self.reading.parsed.things]
+        asked = [self.as_wished(thing) for thing in self.reading.parsed.things]
         return {**self.lexicon.kinds, **{kind.name: kind for kind in reversed(asked)}}
 
     @property
@@ -136,15 +135,10 @@ class Wishes:
         there = {self.roles[other].name for other in present if other in self.roles}
         return bool(wanted) and "*" not in wanted and not wanted & there
 
-    @property
-    def looks(self) -> Mapping[str, str]:
-        """What is said of the looks of things, by category."""
-        return {self._shown(thing): ", ".join(thing.look) for thing in self.reading.parsed.things if thing.look}
-
-    @property
-    def sizes(self) -> Mapping[str, Sequence[Measure]]:
-        """What is said of the sizes of things in figures, by category."""
-        return {self._shown(thing): thing.sizes for thing in self.reading.parsed.things if thing.sizes}
+    def told(self, name: str) -> list[Thing]:
+        """Return what was asked for of a category, once for each of it: "a low table and two high ones" are three."""
+        things = (thing for thing in self.reading.parsed.things if self._shown(thing) == name)
+        return [thing for thing in things for _ in range(thing.count)]
 
     @property
     def general(self) -> frozenset[str]:
@@ -192,7 +186,7 @@ class Wishes:
         name = self.kind(thing)
         return thing.noun.words if thing.noun.kind == name and thing.noun.words not in self.lexicon.kinds else name
 
-    def _as_wished(self, thing: Thing) -> Category:
+    def as_wished(self, thing: Thing) -> Category:
         """Return the kind of a thing with its name and size, and as it is where it is asked to be."""
         name, shown = self.kind(thing), self._shown(thing)
         kind = self.lexicon.kinds[name]

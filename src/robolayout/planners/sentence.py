@@ -292,16 +292,18 @@ def _scene(found: Understanding, wishes: Wishes, rng: np.random.Generator, *, va
 
 
 def _assets(found: Understanding, wishes: Wishes, style: str, rng: np.random.Generator) -> dict[str, object]:
-    """Return the asset list; equal things have equal sizes, as said or within 6 % of typical ones, and look alike."""
+    """Return the asset list: sizes and looks as said, or within 6 % of typical ones; what is added of a kind is like the first of it."""
     assets: dict[str, object] = {}
     for kind, count in ((wishes.kinds[name], count) for name, count in both(found.wished, found.added).items()):
-        scale = 1.0 + 0.06 * float(rng.uniform(-1, 1))
-        d, w, h = (round(max(0.01, value * (scale if kind.on_floor else 1.0)), 3) for value in kind.size)
-        for measure in wishes.sizes.get(kind.name, ()):
-            d, w, h = measure.on((d, w, h))
-        size = (d, w, min(h, round(found.height - SPARE, 3)))
-        look = ", ".join(filter(None, (style, wishes.looks.get(kind.name, ""))))
+        scale, told = 1.0 + 0.06 * float(rng.uniform(-1, 1)), wishes.told(kind.name)
         for index in range(count):
+            thing = told[index if index < len(told) else 0] if told else None
+            usual = kind.size if thing is None else wishes.as_wished(thing).size
+            d, w, h = (round(max(0.01, value * (scale if kind.on_floor else 1.0)), 3) for value in usual)
+            for measure in thing.sizes if thing is not None else ():
+                d, w, h = measure.on((d, w, h))
+            size = (d, w, min(h, round(found.height - SPARE, 3)))
+            look = ", ".join((style, *(thing.look if thing is not None else ())))
             assets[f"{variable_name(kind.name)}-{index}"] = asset_entry(kind, size) | {"look": look}
     return assets
 
