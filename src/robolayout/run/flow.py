@@ -22,6 +22,7 @@ from robolayout.solve import (
     UNREFINED,
     Solution,
     SolverConfig,
+    askew,
     compile_problem,
     dress,
     silent,
@@ -44,6 +45,7 @@ class FlowConfig:
     coarse: float = 0.25  # metres of a cell of the search's floor from which on the report says so
     most_ways: int = 6  # ways of open statements (the corners of a room) that are tried where one is not met
     solved_ways: int = 3  # how many of them, nearest to right as built, are searched
+    again: int = 2  # attempts at building each, where whole rooms are built up to twelve times
     worse: float = 2.0  # `Verdict.promise` by which these may be worse than what is to be bettered: they are to be mended, not made
     attempt_stride: int = 1000  # added to the planner's seed for each further attempt
 
@@ -343,19 +345,27 @@ def _opened(
 ) -> Solution:
     """Return the best of a solution and those with other ways of what the program leaves open, where a statement is not met.
 
-    They begin with the room as it stands, which is soon done, and then with rooms that are built for them, once each.
+    They begin with the room as it stands, which is soon done, and then with rooms that are built for them; of equals the one
+    with the fewest things askew is taken.
     """
     if _said_holds(scene, program, best):  # drawers that stay shut are no statements
         return best
     judge, brief = make_judge(scene, program), (config or SolverConfig()).at("quick")
     ways = tuple(islice(_ways(scene, program, best), FLOW.most_ways))
+
+    def looks(found: Solution) -> tuple[float, int]:
+        return found.verdict.merit, sum(askew(scene.room, pose.yaw) != 0.0 for pose in found.layout.values())
+
+    before = looks(best)[1]
     for built in (best.layout, None) if len(program.guesses) < len(scene.assets) else (None,):
-        problems = [compile_problem(scene, way, seed=seed, pinned=pinned, built=built, attempts=1) for way in ways]
+        problems = [
+            compile_problem(scene, way, seed=seed, pinned=pinned, built=built, attempts=FLOW.again) for way in ways
+        ]
         ranked = sorted(((judge(one.guess).promise, i) for i, one in enumerate(problems)))[: FLOW.solved_ways]
         for problem in (problems[i] for amiss, i in ranked if amiss <= best.verdict.promise + FLOW.worse):
             found = solve_with("default", problem, judge, seed=seed, config=brief, progress=progress)
-            best = min(best, found, key=lambda one: one.verdict.merit)
-            if _said_holds(scene, program, best):
+            best = min(best, found, key=looks)
+            if _said_holds(scene, program, best) and looks(best)[1] <= before:
                 return best
     return best
 

@@ -17,6 +17,7 @@ from robolayout.solve.profiles import solver_names as solver_names
 from robolayout.solve.proposals import Proposals as Proposals
 from robolayout.solve.proposals import carry as carry
 from robolayout.solve.refine import Solver as Solver
+from robolayout.solve.restore import askew as askew
 from robolayout.solve.runner import warm_up as warm_up
 from robolayout.solve.solution import Enough as Enough
 from robolayout.solve.solution import Judge as Judge

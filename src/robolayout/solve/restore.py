@@ -9,6 +9,7 @@ from itertools import product
 import numpy as np
 
 from robolayout._geometry import compose
+from robolayout.scene import Room
 from robolayout.solve.compile import Floats, Problem
 from robolayout.solve.proposals import carry
 from robolayout.solve.stage import relative
@@ -89,18 +90,23 @@ def _each_back(problem: Problem, world: Floats, ways: Sequence[Way], no_worse: C
     return world
 
 
+def askew(room: Room, yaw: float) -> float:
+    """Return the radians by which a heading is a little off the nearest wall's or across it; 0 where it is straight or far off."""
+    walls = (math.atan2(*wall.direction[::-1]) for wall in room.walls)
+    off = min((math.remainder(yaw - wall, math.pi / 2) for wall in walls), key=abs)
+    return off if STRAIGHT < abs(off) < ASKEW else 0.0
+
+
 def squared(problem: Problem, world: Floats, no_worse: Callable[[Floats], bool]) -> Floats:
     """Return poses (n, 4) in which what came to stand a little askew is square to a wall again.
 
     Where it has to look at something, it also slides sideways until it looks straight at it; where it would leave its rug, the
     rug comes along a little. What the program has askew stays so.
     """
-    walls = [math.atan2(*wall.direction[::-1]) for wall in problem.scene.room.walls]
     for slot, name in enumerate(problem.names):
-        yaw = math.atan2(world[slot, 3], world[slot, 2])
-        off = min((math.remainder(yaw - wall, math.pi / 2) for wall in walls), key=abs)
+        off = askew(problem.scene.room, math.atan2(world[slot, 3], world[slot, 2]))
         meant = name in problem.guessed and math.dist(problem.start[slot, 2:], world[slot, 2:]) < SAME
-        if not STRAIGHT < abs(off) < ASKEW or meant or name in problem.pinned:
+        if not off or meant or name in problem.pinned:
             continue
         turned = compose(world[slot], np.array([0.0, 0.0, math.cos(off), -math.sin(off)]))
         mine = [(other, row) for one, other, row in problem.pairs if one == slot]
