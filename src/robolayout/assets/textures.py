@@ -156,14 +156,11 @@ def mean(texture: str | bytes) -> tuple[float, float, float]:
     return (red, green, blue)
 
 
-def coordinates(part: Part, turn: Array | None = None) -> NDArray[np.float32]:
+def coordinates(part: Part) -> NDArray[np.float32]:
     """Return texture coordinates (m, 3, 2) of the corners of a part's faces; (0, 0) is the top left of the picture.
 
     Own meshes bring theirs. Tiles are laid on along the two axes across the normal's largest component, the first along the
     part's longest edge there, from a corner that differs from part to part.
-
-    Args:
-        turn: (m, 3) unit normals of the faces, where they are known already.
     """
     faces = part.faces
     texture = part.material.texture
@@ -172,7 +169,7 @@ def coordinates(part: Part, turn: Array | None = None) -> NDArray[np.float32]:
     if not isinstance(texture, str):
         return np.zeros((len(faces), 3, 2), np.float32)
     corners = part.vertices[faces]
-    normal = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]) if turn is None else turn
+    normal = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     extent = np.ptp(part.vertices, axis=0)
     plane = np.array(
         [sorted((i for i in range(3) if i != axis), key=lambda i: (-round(extent[i], 4), i)) for axis in range(3)]
