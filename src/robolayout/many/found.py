@@ -49,7 +49,12 @@ class Found:
             scene = read(self.scene)
             return judge(scene, load_layout(self.layout, scene))
         state = _CHECK.mapping(_CHECK.read_json(self.layout, "scene state"), f"scene state {self.layout}")
-        scene, layout = read_state(state, self.layout.stem, asset_dir)
+        try:
+            scene, layout = _read(state, self.layout.stem, asset_dir)
+        except _ASTRAY as error:
+            raise InputError(
+                f"the scene state {self.layout.stem!r} has another form than scene@1.0.2 ({error})."
+            ) from None
         return judge(scene.with_agents(*agents) if agents else scene, layout)
 
 
@@ -100,15 +105,8 @@ def _here(here: Path, names: list[str], files: Sequence[str], scenes: Path | Non
                 yield Found("", path)
 
 
-def read_state(data: Json, name: str, asset_dir: Path | None = None) -> tuple[Scene, Layout]:
-    """Return what a scene state of one room holds; sizes that it does not give are looked up in a folder (`<id>/data.json`)."""
-    try:
-        return _read(data, name, asset_dir)
-    except _ASTRAY as error:
-        raise InputError(f"the scene state {name!r} has another form than scene@1.0.2 ({error}).") from None
-
-
 def _read(data: Json, name: str, asset_dir: Path | None) -> tuple[Scene, Layout]:
+    """Return what a scene state of one room holds; sizes that it does not give are looked up in a folder (`<id>/data.json`)."""
     state = data["scene"]
     elements = state["arch"]["elements"]
     floors = [element for element in elements if element["type"] == "Floor"]
@@ -161,6 +159,5 @@ def _opening(box: Json, points: Sequence[Sequence[float]], room: Room) -> dict[s
     along = (low + high) / 2 / math.dist((ax, ay), (bx, by))
     middle = (ax + (bx - ax) * along, ay + (by - ay) * along)
     side = min(room.walls, key=lambda wall: wall.distance(middle))
-    (dx, dy), (x, y) = side.direction, side.start
-    offset = (middle[0] - x) * dx + (middle[1] - y) * dy - (high - low) / 2
+    offset = side.place(middle)[0] - (high - low) / 2
     return {"wall": side.index, "offset": max(offset, 0.0), "width": high - low, "height": top - sill, "sill": sill}

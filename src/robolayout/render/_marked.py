@@ -15,7 +15,7 @@ from robolayout.render._labels import Box, Label, Tag, place_labels
 from robolayout.render._style import LABELS, PLAN
 from robolayout.render.contents import Place, PlanMarks, Shown, cord, display_name, front, has_arrow
 from robolayout.render.palette import INK, NARROW, PAPER, QUIET, REACH, ROUTE, TIGHT, TURN
-from robolayout.scene import Pose, Scene, Wall, vertical_span
+from robolayout.scene import Pose, Scene, vertical_span
 
 Passage = tuple[Point, Point, float]
 """The two ends of a passage on the paper, millimetres, and its width in metres."""
@@ -183,11 +183,7 @@ def _tags(
 
 def _outward(scene: Scene, pose: Pose) -> Point:
     """Return the direction on the sheet out of the room through the nearest wall, along the sheet's sides."""
-
-    def away(wall: Wall) -> float:
-        return abs((pose.x - wall.start[0]) * wall.normal[0] + (pose.y - wall.start[1]) * wall.normal[1])
-
-    nx, ny = min(scene.room.walls, key=away).normal
+    nx, ny = min(scene.room.walls, key=lambda wall: abs(wall.place(pose.at)[1])).normal
     return (-math.copysign(1, nx), 0.0) if abs(nx) > abs(ny) else (0.0, math.copysign(1, ny))
 
 

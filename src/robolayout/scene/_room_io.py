@@ -78,7 +78,7 @@ def _check_shape(room: Room) -> None:
             following = (wall.index + 1) % len(room.walls)
             raise SceneError(f"boundary.floor_vertices {wall.index} and {following} are the same point; drop one.")
     first = max(room.walls, key=lambda wall: wall.length)
-    if all(abs(_height(first, corner)) < ROUNDING for corner in room.vertices):
+    if all(abs(first.place(corner)[1]) < ROUNDING for corner in room.vertices):
         raise SceneError("the room has no area: all its corners lie on one line.")
     for a, b in combinations(room.walls, 2):
         if _touching(a, b, room):
@@ -106,12 +106,6 @@ def _check_units(room: Room, warnings: list[str]) -> None:
     warnings.append(f"{asks}, or leave them if it is that large.")
 
 
-def _height(wall: Wall, point: Point) -> float:
-    """Return the signed distance of a point from the wall's line, positive on its left."""
-    (nx, ny), (x, y) = wall.normal, wall.start
-    return (point[0] - x) * nx + (point[1] - y) * ny
-
-
 def _touching(a: Wall, b: Wall, room: Room) -> bool:
     """Return whether two walls cross or touch elsewhere than at the corner they share."""
     count = len(room.walls)
@@ -120,7 +114,7 @@ def _touching(a: Wall, b: Wall, room: Room) -> bool:
     if (b.index + 1) % count == a.index:
         return a.distance(b.start) < ROUNDING or b.distance(a.end) < ROUNDING
     ends = [a.distance(b.start), a.distance(b.end), b.distance(a.start), b.distance(a.end)]
-    crossing = all((_height(p, q.start) > 0) != (_height(p, q.end) > 0) for p, q in ((a, b), (b, a)))
+    crossing = all((p.place(q.start)[1] > 0) != (p.place(q.end)[1] > 0) for p, q in ((a, b), (b, a)))
     return crossing or min(ends) < ROUNDING
 
 

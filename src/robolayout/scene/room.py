@@ -65,11 +65,14 @@ class Wall:
         (dx, dy), (nx, ny) = self.direction, self.normal
         return (self.start[0] + dx * offset + nx * depth, self.start[1] + dy * offset + ny * depth)
 
+    def place(self, point: Point) -> Point:
+        """Return where a point is: how far along the wall's line, and how far into the room from it, metres."""
+        (dx, dy), (nx, ny), x, y = self.direction, self.normal, point[0] - self.start[0], point[1] - self.start[1]
+        return (x * dx + y * dy, x * nx + y * ny)
+
     def distance(self, point: Point) -> float:
         """Return how far a point is from the wall, metres."""
-        (dx, dy), (x, y) = self.direction, self.start
-        along = min(max((point[0] - x) * dx + (point[1] - y) * dy, 0.0), self.length)
-        return math.dist(point, self.point(along))
+        return math.dist(point, self.point(min(max(self.place(point)[0], 0.0), self.length)))
 
 
 @dataclass(frozen=True)
