@@ -137,17 +137,17 @@ def _unit_ball(rings: int, sides: int) -> tuple[Array, Faces]:
         rows += [(math.sin(level) * math.cos(a), math.sin(level) * math.sin(a), -math.cos(level)) for a in around]
     points = np.array([*rows, (0.0, 0.0, 1.0)])
     points /= np.abs(points).max(axis=0)
-    return points, _wrapped(points)
+    return points, wrapped(points)
 
 
 @cache
 def _soft_faces() -> Faces:
     """Return the 44 triangles of a bevelled box: six sides, twelve edges, eight corners."""
     corners = np.repeat(np.array(list(product((-1.0, 1.0), repeat=3))), 3, axis=0)
-    return _wrapped(corners * np.where(np.tile(np.eye(3), (8, 1)) > 0, 1.0, 0.7))
+    return wrapped(corners * np.where(np.tile(np.eye(3), (8, 1)) > 0, 1.0, 0.7))
 
 
-def _wrapped(points: Array) -> Faces:
+def wrapped(points: Array) -> Faces:
     """Return the triangles of the convex hull of points, counter-clockwise seen from outside."""
     from scipy.spatial import ConvexHull
 

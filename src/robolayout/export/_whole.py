@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 
 from robolayout._reading import show
+from robolayout.assets.shapes import wrapped
 from robolayout.export._bodies import BODIES
 from robolayout.export._mesh import FloatArray, numbers, obj
 from robolayout.export._mujoco import simulator
@@ -163,19 +164,15 @@ def _weigh(inertial: ET.Element, model: Model) -> None:
 
 def _hull(points: FloatArray) -> bytes:
     """Return the convex hull of points (n, 3) as a Wavefront OBJ file; what is flat gets a millimetre of thickness."""
-    from scipy.spatial import ConvexHull, QhullError
+    from scipy.spatial import QhullError
 
     try:
-        hull = ConvexHull(points)
+        faces = wrapped(points)
     except QhullError:
         points = np.concatenate([points + offset for offset in THICK])
-        hull = ConvexHull(points)
-    places = np.zeros(len(points), np.int32)
-    places[hull.vertices] = np.arange(len(hull.vertices))
-    corners, faces = points[hull.vertices], places[hull.simplices]
-    a, b, c = corners[faces].transpose(1, 0, 2)
-    outward = (np.cross(b - a, c - a) * (a - corners.mean(axis=0))).sum(axis=1) > 0
-    return obj(corners, np.where(outward[:, None], faces, faces[:, ::-1]))
+        faces = wrapped(points)
+    corners, places = np.unique(faces, return_inverse=True)
+    return obj(points[corners], places.reshape(-1, 3).astype(np.int32))
 
 
 def _posed(compiled: Any, data: Any, body: ET.Element) -> None:

@@ -92,10 +92,9 @@ def _layer(asset: Asset) -> str:
 def _block(block: str, asset: Asset) -> list[Group]:
     """Return an asset's block around the middle of its box: its footprint and a line along its front."""
     half_x, half_y = asset.size[0] / 2, asset.size[1] / 2
-    corners = ((half_x, -half_y), (half_x, half_y), (-half_x, half_y), (-half_x, -half_y))
     inset = half_x - min(0.04, half_x / 4)
     groups: list[Group] = [(0, "BLOCK"), (8, "0"), (2, block), (70, 0), (10, 0.0), (20, 0.0), (30, 0.0), (3, block)]
-    groups += _polyline(_layer(asset), corners, closed=True)
+    groups += _polyline(_layer(asset), Pose(0.0, 0.0, 0.0, 0.0).corners(asset.size), closed=True)
     groups += _polyline(_layer(asset), ((inset, -half_y), (inset, half_y)))
     return [*groups, (0, "ENDBLK"), (8, "0")]
 
