@@ -173,13 +173,13 @@ def _different(asked: Asked, given: Scene | None, run: RunFolder, variant: int, 
 
 def _check(asked: Asked) -> None:
     """Refuse what is unknown or missing before any work, and read the user's constraints."""
-    from robolayout.export import check_simulator, find_exporter
+    from robolayout.export import find_exporter, simulator
     from robolayout.scene import check_dress
 
     for name in options.names(asked.export):
         find_exporter(name)
     if asked.settle:
-        check_simulator()
+        simulator()
     if asked.dress is not None:
         check_dress(asked.dress)
     if asked.constraints is not None:

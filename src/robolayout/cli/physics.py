@@ -82,9 +82,9 @@ def drive(
 
 def _check(report: Path | None) -> None:
     """Refuse before any work a report that cannot be written, and a missing extra."""
-    from robolayout.export import check_simulator
+    from robolayout.export import simulator
 
-    check_simulator()
+    simulator()
     if report is not None:
         options.ending(report, "the report", (".json",))
 

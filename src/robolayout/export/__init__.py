@@ -23,7 +23,7 @@ from robolayout.export._exporter import LEAVES as LEAVES
 from robolayout.export._exporter import Contents as Contents
 from robolayout.export._exporter import Exporter as Exporter
 from robolayout.export._exporter import Options as Options
-from robolayout.export._mujoco import check_simulator as check_simulator
+from robolayout.export._mujoco import simulator as simulator
 from robolayout.export.dxf import DXF
 from robolayout.export.glb import GLB
 from robolayout.export.handles import pull_open as pull_open

@@ -18,13 +18,8 @@ from robolayout.scene import Agent
 ROOM_BODY = 1  # the room's body in a model: the first after the world
 
 
-def check_simulator() -> None:
-    """Raise MissingExtraError where MuJoCo is not installed, before any work is done for it."""
-    simulator()
-
-
 def simulator() -> Any:
-    """Return MuJoCo's module, which has no types."""
+    """Return MuJoCo's module, which has no types; raise MissingExtraError where it is not installed."""
     if find_spec("mujoco") is None:
         raise MissingExtraError("the physics check", "sim")
     return import_module("mujoco")
