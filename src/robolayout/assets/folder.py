@@ -248,8 +248,8 @@ def _words(name: str) -> str:
 def _json(path: Path) -> Mapping[str, Any]:
     """Read a metadata file within bounds."""
     what = f"metadata {path.parent.name}/{path.name}"
-    text = _CHECK.parse(lambda file: decoded(regular_bytes(file, LIMITS.folder_json)), path, what)
-    return _CHECK.mapping(_CHECK.parse(json_value, text, what), what)
+    read = _CHECK.parse(lambda file: json_value(decoded(regular_bytes(file, LIMITS.folder_json))), path, what)
+    return _CHECK.mapping(read, what)
 
 
 def _objathor(path: Path, data: Mapping[str, Any]) -> Guess:

@@ -263,23 +263,22 @@ def _pose(pose: Pose) -> Json:
 @reader("house")
 def read(data: bytes) -> Rows:
     """Yield our names, poses and sizes in a house that this package wrote."""
-    house = cast(Json, json_value(decoded(data)))
-    notes = cast(Json, cast(Json, house.get("metadata", {})).get("robolayout", {}))
+    house: Any = json_value(decoded(data))
+    notes = house.get("metadata", {}).get("robolayout", {})
     if "assets" not in notes:
         raise LayoutError("this house was not written by robolayout: it has no metadata.robolayout.assets.")
-    objects = {str(entry["id"]): entry for entry in _flat(cast(list[Json], house["objects"]))}
-    for name, note in cast(dict[str, Json], notes["assets"]).items():
+    objects = {str(entry["id"]): entry for entry in _flat(house["objects"])}
+    for name, note in notes["assets"].items():
         entry = note if note["id"] is None else objects[str(note["id"])]
-        size = cast(list[float], note["size"])
-        grown = cast(list[float], note.get("thorSize", size))[2] - size[2]
+        size = note["size"]
+        grown = note.get("thorSize", size)[2] - size[2]
         shift = grown / 2 if note.get("anchor") == "bottom" else 0.0
-        position, rotation = cast(dict[str, float], entry["position"]), cast(dict[str, float], entry["rotation"])
-        yaw = math.radians(90.0 - rotation["y"])
-        yield name, Pose(position["x"], position["z"], position["y"] - shift, yaw), size
+        at, yaw = entry["position"], math.radians(90.0 - entry["rotation"]["y"])
+        yield name, Pose(at["x"], at["z"], at["y"] - shift, yaw), size
 
 
-def _flat(objects: list[Json]) -> list[Json]:
-    return [each for entry in objects for each in (entry, *_flat(cast(list[Json], entry["children"])))]
+def _flat(objects: list[Any]) -> list[Any]:
+    return [each for entry in objects for each in (entry, *_flat(entry["children"]))]
 
 
 PROCTHOR = Exporter(

@@ -11,6 +11,7 @@ import math
 import zlib
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from functools import partial
 from itertools import groupby
 from typing import Any
 
@@ -50,16 +51,12 @@ def draw_pdf(drawing: Drawing) -> bytes:
         b"",
         _stream("\n".join(commands).encode("ascii")),
     ]
-    names: list[str] = []
-    for key, embedded in fonts.items():
+    names, written = list[str](), " ".join(commands)
+    makers = {key: partial(_embedded, found) for key, found in fonts.items()}
+    makers |= {key: partial(_reader_font, key, *how) for key, how in READERS.items() if f"/{key} " in written}
+    for key, made in makers.items():
         names.append(f"/{key} {len(objects) + 1} 0 R")
-        objects += _embedded(embedded, len(objects) + 1)
-    written = " ".join(commands)
-    for key, (name, encoding) in READERS.items():
-        if f"/{key} " not in written:
-            continue
-        names.append(f"/{key} {len(objects) + 1} 0 R")
-        objects += _reader_font(key, name, encoding, len(objects) + 1)
+        objects += made(len(objects) + 1)
     objects[2] = (
         f"<< /Type /Page /Parent 2 0 R /MediaBox [0 0 {width:.3f} {height:.3f}] /Contents 4 0 R /Resources "
         f"<< /Font << {' '.join(names)} >> /ExtGState << {graphics} >> >> >>"

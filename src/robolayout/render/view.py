@@ -124,10 +124,6 @@ class Studio:
         names = ("room", *(asset.name for asset in self.scene.assets))
         return Buffers(self._renderer.color(camera, keep), ids, depth, names, camera)
 
-    def picture(self, camera: Camera, *, inside: bool = False) -> Image.Image:
-        """Return the picture taken by a camera; `inside` keeps every wall and draws the ceiling."""
-        return Image.fromarray(self._renderer.color(camera, self._keep(camera, inside)))
-
     def view(
         self,
         view: str = "top",
@@ -138,7 +134,7 @@ class Studio:
     ) -> Image.Image:
         """Return a view by name (see `render_view`)."""
         camera = self.camera(view, picture_size(size), agent=agent, stand=stand)
-        return self.picture(camera, inside=view.startswith("eye:"))
+        return Image.fromarray(self._renderer.color(camera, self._keep(camera, view.startswith("eye:"))))
 
     def shown(self, camera: Camera, *, inside: bool = False) -> Mesh:
         """Return the triangles that a camera is shown, without the strips where walls were cut away."""
