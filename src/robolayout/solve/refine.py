@@ -195,6 +195,12 @@ class Solver:
             else:
                 hopeless.add(slots[0])
 
+    @property
+    def _kept(self) -> bool:
+        """Whether no further room is built: hard demands and access are met, and all statements unless a guess is kept."""
+        guess = self.problem.guessed and not self.blind
+        return not self.verdict.broken if guess else self.verdict.right
+
     def _anew(self, stage: Stage) -> None:
         """Build rooms and search for them."""
         self._say("build")
@@ -204,7 +210,7 @@ class Solver:
         if self.verdict.ok:
             self._still(stage, self.made_by)
             return
-        if not self.verdict.right:
+        if not self._kept:
             if run is None:
                 nearby = self.repair.proposals.near(stage.world, stage.moving, max(count, 1), self.rng)
                 run = self.runner.advance(stage, nearby, self.config.polish, "polish")
@@ -219,16 +225,16 @@ class Solver:
         self._mend(self.effort.mendings)
         run: Run | None = None
         for _ in range(self.effort.built if count else 0):
-            if self.verdict.right or self.spent:
+            if self._kept or self.spent:
                 break
             made = list[Floats]()
-            while len(made) < count and not self.verdict.right:
+            while len(made) < count and not self._kept:
                 made.append(self.repair.builder.build(stage.world, stage.moving))
                 self.repair.proposals.bring_in(made[-1][None], stage.moving)
                 self._try(made[-1:])
             if self.verdict.promise <= self.effort.nearly:
                 self._mend(self.effort.mendings)
-            if self.verdict.right:
+            if self._kept:
                 break
             plans = [self._planned(world, everywhere=True) for world in made]
             more = self.runner.advance(stage, np.array(made), self.config.polish, "polish", plans=plans)
