@@ -444,6 +444,7 @@ def test_the_window_is_the_only_one(text: str, doors: set[int], windows: set[int
     [
         ("A library with six low bookshelves and a tall bookshelf.", "bookshelf", 2, [6]),
         ("A library with a tall bookshelf and two low bookshelves.", "bookshelf", 2, [0]),
+        ("A library with a tall bookshelf and six low ones.", "bookshelf", 2, [0]),
         ("A lounge with a long sofa and a short sofa.", "sofa", 1, [0]),
         ("A study with a 90 cm wide desk and two 160 cm wide desks.", "desk", 1, [1, 2]),
     ],

@@ -16,7 +16,7 @@ MARKS = {":": "colon", **dict.fromkeys(".;!?\n", "stop"), **dict.fromkeys(",()",
 WITHOUT_NOUN = re.compile(
     r"(?:(?:the |a )?\b(another|(?<=\ba )(?:second|third|fourth|fifth|sixth)(?! of)"
     r"|(?<=the )(?:other half(?! of)|others?|remaining|rest|first|second|third|last|former|latter))"
-    r"(?: (two|three|four|five|six|[2-9]))?( ones?)?|(?:the|an?) (?:(?!other)(\w+) )?ones?|all but (one|two|three)(?! of)) "
+    r"(?: (two|three|four|five|six|[2-9]))?( ones?)?|(?:the|an?|(two|three|four|five|six|[2-9])) (?:(?!other)(\w+) )?ones?|all but (one|two|three)(?! of)) "
 )
 """Phrases that leave out their noun: what picks, how many, whether "one" stands for the noun, an adjective."""
 
@@ -50,18 +50,19 @@ NOTHING = Chunk("", 0, 0)
 def without_noun(
     words: Sequence[str], at: int, found: Sequence[Chunk], run: Callable[[int], Sequence[str]]
 ) -> Chunk | None:
-    """Return a phrase whose noun was said before: "another", "the other one", "the round ones", "the remaining two"."""
+    """Return a phrase whose noun was said before: "another", "the round ones", "two low ones", "the remaining two"."""
     match = WITHOUT_NOUN.match(" ".join(words[at : at + 4]) + " ")
     if match is None:
         return None
-    picks, number, one, told, but = match.groups()
+    picks, some, one, counted, told, but = match.groups()
+    number = some or counted
     end = at + len(match.group().split())
     if (picks and not one and run(end)) or (told and told not in grammar().adjectives):
         return None
     if picks in LATTER:
         two = [c for c in found if c.kind == "thing" and not {*words[c.start : c.end]} & {*LATTER}][-2:]
         return replace(two[LATTER.index(picks) - 2], start=at, end=end, det="the", adjectives=()) if two[1:] else None
-    new = words[at] in ("a", "an", "another")
+    new = bool(counted) or words[at] in ("a", "an", "another")
     told = told or ""
     nouns = [c for c in found if c.kind in ("thing", "part") and (new or _of_several(c))]
     nouns = [c for c in nouns if not told or c.plural or c.number or c.kind == "thing"]  # "the upper one" is no corner
