@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator, Sequence, Set
 from dataclasses import dataclass, replace
 
@@ -11,16 +10,7 @@ import numpy as np
 from robolayout.assets import Category
 from robolayout.planners._wishes import Wishes
 from robolayout.scene import Opening, Room
-from robolayout.words import (
-    COMPASS,
-    Place,
-    Reading,
-    WantedOpening,
-    grammar,
-    spoken_openings,
-    walls_meant,
-    wanted_openings,
-)
+from robolayout.words import COMPASS, Place, Reading, grammar, walls_meant
 
 
 @dataclass(frozen=True)
@@ -46,13 +36,18 @@ class Openings:
 
 OPENINGS = Openings()
 
-Hole = dict[str, float]
+
+@dataclass(frozen=True)
+class Wanted:
+    """Doors or windows that are asked for."""
+
+    count: int  # how many
+    wall: str = ""  # "north", "south", "east", "west", or "" where it does not matter
+    large: bool = False  # whether large ones are asked for
 
 
-def openings(
-    room: Room, wishes: Wishes, wide: float, rng: np.random.Generator, *, varied: bool
-) -> tuple[list[Hole], list[Hole]]:
-    """Return doors near the ends of long walls (varied: somewhere in any wall), and windows in other walls.
+def with_openings(room: Room, wishes: Wishes, wide: float, rng: np.random.Generator, *, varied: bool) -> Room:
+    """Return a room with doors near the ends of long walls (varied: somewhere in any wall), and windows in other walls.
 
     Where another wall can have it, no door is made at a wall or corner where things are to stand, and no window behind high ones.
     A door is `wide` metres wide.
@@ -60,11 +55,10 @@ def openings(
     order = sorted(range(len(room.walls)), key=lambda i: -room.walls[i].length)
     usual = order[int(rng.integers(0, len(order) if varied else min(2, len(order))))]
     along = float(rng.random()) if varied else float(rng.random() < 0.5)
-    asked = _asked(wishes.reading, "door", OPENINGS.most_doors, 1 + int(room.area / OPENINGS.door_each))
-    full = _held(room, wishes, 0.0)
-    doors: list[Hole] = []
+    asked = _wanted(wishes.reading, "door", 1 + int(room.area / OPENINGS.door_each), OPENINGS.most_doors)
+    full, doors = _held(room, wishes, 0.0), list[Opening]()
     for number, item in enumerate(i for i in asked for _ in range(i.count)):
-        fits = [i for i in order if room.walls[i].length > wide and i not in {d["wall"] for d in doors}] or order
+        fits = [i for i in order if room.walls[i].length > wide and i not in {d.wall for d in doors}] or order
         fits = [i for i in fits if i not in full] or fits
         start = fits.index(usual) if usual in fits and not number else 0
         wall = _wall(room, item.wall, fits[start:] + fits[:start])
@@ -72,21 +66,28 @@ def openings(
         first = min(OPENINGS.flanked if wishes.reading.flanked_door else OPENINGS.aside, spare / 2)
         offset = first + (1.0 - _aside(room, wall, along, wishes, full)) * (spare - 2 * first)
         width, height = min(wide, room.walls[wall].length), min(2.05, room.wall_height - OPENINGS.lintel)
-        doors.append({"wall": wall, "offset": round(max(offset, 0.0), 2), "width": width, "height": height})
+        doors.append(Opening(wall, round(max(offset, 0.0), 2), width, height))
     more = max(1 + int(rng.integers(0, 2)), int(room.area / OPENINGS.window_each))
-    taken = {int(d["wall"]) for d in doors}
-    made = tuple(Opening(int(d["wall"]), d["offset"], d["width"], d["height"]) for d in doors)
-    high = _held(replace(room, doors=made), wishes, OPENINGS.sill)
+    room, taken = replace(room, doors=tuple(doors)), {d.wall for d in doors}
+    high = _held(room, wishes, OPENINGS.sill)
     taken |= high if len(taken | high) < len(order) else set[int]()
     free = [i for i in order if i not in taken]
-    return doors, _windows(room, free, _asked(wishes.reading, "window", OPENINGS.most_windows, more), rng)
+    asked = _wanted(wishes.reading, "window", more, OPENINGS.most_windows)
+    return replace(room, windows=tuple(_windows(room, free, asked, rng)))
 
 
-def _asked(reading: Reading, kind: str, most: int, usual: int) -> list[WantedOpening]:
-    """Return the openings of a kind that are asked for, else as many as usual, as far as words allow it."""
-    few, many = spoken_openings(reading, kind, most)
-    asked = [item for item in wanted_openings(reading) if item.kind == kind]
-    return asked or [WantedOpening(kind, min(max(usual, few), many))]
+def _wanted(reading: Reading, kind: str, usual: int, most: int) -> list[Wanted]:
+    """Return the doors or windows that a text asks for, else as many as usual, as far as it speaks of "the" one or of several."""
+    walls, found = grammar().walls, list[Wanted]()
+    for place, span in ((place, span) for place, span in reading.parsed.openings if place.name == kind):
+        wall = next((walls[word] for word in place.words if walls.get(word) in COMPASS), "")
+        large = {"large", "big", "wide", "huge"} & set(reading.span(*span).lower().split())
+        found.append(Wanted(min(place.number or (2 if place.plural else 1), 8), wall, bool(large)))
+    objects = [o for link in reading.parsed.links for o in link.objects if isinstance(o, Place)]
+    spoken = [o for o in (*objects, *(o.by[1] for o in objects if o.by)) if o.name == kind and not o.words]
+    several = any(o.plural for o in spoken)
+    one = not several and any(o.det == "the" for o in spoken)
+    return found or [Wanted(1 if one else min(max(usual, 1 + several), most))]
 
 
 def _placed(room: Room, wishes: Wishes, name: str) -> Iterator[tuple[list[list[int]], list[Category]]]:
@@ -97,9 +98,9 @@ def _placed(room: Room, wishes: Wishes, name: str) -> Iterator[tuple[list[list[i
         for place in link.objects:
             if isinstance(place, Place) and place.name == name:
                 words = {walls[word] for word in place.words if walls.get(word) in COMPASS}
-                yield [_meant(room, word) for word in words], there
+                yield [_meant(room, Place("wall", (word,))) for word in words], there
                 if room.doors and name == "wall" and place.by is not None and place.by[1].name == "door":
-                    yield [[wall.index for wall in walls_meant(room, place)]], there
+                    yield [_meant(room, place)], there
 
 
 def _held(room: Room, wishes: Wishes, least: float) -> set[int]:
@@ -124,13 +125,12 @@ def _aside(room: Room, wall: int, along: float, wishes: Wishes, full: Set[int]) 
     return min(along, 1.0 - along) if start > end else max(along, 1.0 - along)
 
 
-def _windows(room: Room, free: list[int], asked: Sequence[WantedOpening], rng: np.random.Generator) -> list[Hole]:
-    """Return the windows, in two of the free walls, which are outer ones, where no wall is said."""
+def _windows(room: Room, free: list[int], asked: Sequence[Wanted], rng: np.random.Generator) -> Iterator[Opening]:
+    """Yield the windows, in two of the free walls, which are outer ones, where no wall is said."""
     outer = (free[: int(rng.integers(1, 3))] if len(asked) == 1 and not asked[0].wall else free) or [0]
-    by_wall: dict[int, list[WantedOpening]] = {}
+    by_wall: dict[int, list[Wanted]] = {}
     for turn, wanted in enumerate(i for i in asked for _ in range(i.count)):
         by_wall.setdefault(_wall(room, wanted.wall, outer[turn % len(outer) :] + outer), []).append(wanted)
-    found: list[Hole] = []
     for wall, items in by_wall.items():
         share = room.walls[wall].length / len(items)
         middle = float(rng.choice([0.35, 0.5, 0.65])) if len(items) == 1 and not items[0].wall else 0.5
@@ -139,18 +139,15 @@ def _windows(room: Room, free: list[int], asked: Sequence[WantedOpening], rng: n
             sill = min(0.9, max(room.wall_height - height - OPENINGS.lintel, 0.0))
             height = round(min(height, room.wall_height - sill - OPENINGS.lintel), 2)
             width = round(min(width, share * (OPENINGS.most_of_a_wall if len(items) == 1 else 0.7)), 2)
-            start = round(number * share + (share - width) * middle, 2)
-            found.append({"wall": wall, "offset": start, "width": width, "height": height, "sill": sill})
-    return found
+            yield Opening(wall, round(number * share + (share - width) * middle, 2), width, height, sill)
 
 
 def _wall(room: Room, word: str, order: Sequence[int]) -> int:
-    """Return the first of some walls that is meant by a word; the first of all that it means where none of them is."""
-    meant = _meant(room, word)
-    return next((i for i in order if i in meant), [*meant, order[0]][0])
+    """Return the first of some walls that is meant by a word, any for ""; the first of all that it means where none of them is."""
+    meant = _meant(room, Place("wall", (word,)))
+    return next((i for i in order if i in meant), meant[0])
 
 
-def _meant(room: Room, word: str) -> list[int]:
-    """Return the walls that a word of the compass means, none for other words."""
-    nx, ny = COMPASS.get(word, (0.0, 0.0))
-    return [wall.index for wall in room.walls if wall.normal[0] * nx + wall.normal[1] * ny > math.sqrt(0.5)]
+def _meant(room: Room, place: Place) -> list[int]:
+    """Return the walls that a place means."""
+    return [wall.index for wall in walls_meant(room, place)]

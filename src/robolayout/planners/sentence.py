@@ -19,7 +19,7 @@ from robolayout.assets import CATALOGUE, Category
 from robolayout.assets.palette import PALETTES
 from robolayout.planners._added import COMFORT, LARGER, SEATS, SPARE, Added, both
 from robolayout.planners._knowledge import load_knowledge
-from robolayout.planners._openings import openings
+from robolayout.planners._openings import with_openings
 from robolayout.planners._wishes import Wishes, head, read_wishes
 from robolayout.scene import FLAT_HEIGHT, Agent, Room, Scene, load_agent, scene_from_dict, variable_name
 from robolayout.words import Link, Mention, RoomType, dressing
@@ -277,15 +277,15 @@ def _scene(found: Understanding, wishes: Wishes, rng: np.random.Generator, *, va
     if rng.random() < 0.5:
         outline = [(width - x, y) for x, y in reversed(outline)]
     wide = 3.0 if found.agent == "forklift" else 0.95 if width * depth < 30 else 1.1
-    doors, windows = openings(Room(tuple(outline), found.height), wishes, wide, rng, varied=varied)
+    room = with_openings(Room(tuple(outline), found.height), wishes, wide, rng, varied=varied)
     style = wishes.reading.style or str(rng.choice([palette.wood.name for palette in PALETTES]))
     covering = wishes.reading.floor or str(rng.choice(wishes.room.floors))
     return {
         "dress": dressing(found.text),
         "task_description": found.text,
         "boundary": {"floor_vertices": [[*at, 0.0] for at in outline], "wall_height": found.height, "floor": covering},
-        "doors": doors,
-        "windows": windows,
+        "doors": [vars(door) for door in room.doors],
+        "windows": [vars(window) for window in room.windows],
         "assets": _assets(found, wishes, style, rng),
         **({} if found.agent is None else {"agent": found.agent}),
     }

@@ -7,7 +7,7 @@ from robolayout.words._tokens import Measure
 from robolayout.words._ways import visits
 from robolayout.words.demands import Demand
 from robolayout.words.ledger import KIN, AskedRow, Wishes, read_words, share_met
-from robolayout.words.reading import Reading, WantedOpening, read_text, sized, spoken_openings, wanted_openings
+from robolayout.words.reading import Reading, read_text, sized
 from robolayout.words.rooms import Rooms, RoomType, read_rooms
 
 __all__ = [
@@ -24,7 +24,6 @@ __all__ = [
     "RoomType",
     "Rooms",
     "Thing",
-    "WantedOpening",
     "Wishes",
     "dressing",
     "grammar",
@@ -33,8 +32,6 @@ __all__ = [
     "read_words",
     "share_met",
     "sized",
-    "spoken_openings",
     "visits",
     "walls_meant",
-    "wanted_openings",
 ]

@@ -15,7 +15,6 @@ from robolayout.words._function_words import AFTER_A_PLACE, LEAST_SAID, YOUNG
 from robolayout.words._kinds import settle_kinds
 from robolayout.words._lexicon import Lexicon, grammar
 from robolayout.words._parse import Parser
-from robolayout.words._places import COMPASS
 from robolayout.words._said import ONE_EACH, Parsed, Place, place_in
 from robolayout.words._tokens import Measure, Size, Token, count_of, measures, tokens
 
@@ -27,16 +26,6 @@ BEFORE_A_PLACE = frozenset(("filler", "verb", "style", "measure", "comma", "colo
 
 MOST_OF_A_KIND = 200
 """Largest count that is furnished for."""
-
-
-@dataclass(frozen=True)
-class WantedOpening:
-    """Doors or windows that are asked for."""
-
-    kind: str  # "door" or "window"
-    count: int = 1  # how many
-    wall: str = ""  # "north", "south", "east", "west", or "" where it does not matter
-    large: bool = False  # whether large ones are asked for
 
 
 @dataclass(frozen=True, eq=False)
@@ -259,24 +248,3 @@ def sized(kind: Category, adjectives: Sequence[str], measures: Sequence[Measure]
     for measure in measures:
         size = measure.on(size)
     return size
-
-
-def wanted_openings(reading: Reading) -> tuple[WantedOpening, ...]:
-    """Return the doors and windows that a text asks for."""
-    found: list[WantedOpening] = []
-    walls = grammar().walls
-    for place, (start, end) in reading.parsed.openings:
-        wall = next((walls[word] for word in place.words if walls.get(word) in COMPASS), "")
-        large = {"large", "big", "wide", "huge"} & set(reading.span(start, end).lower().split())
-        count = place.number or (2 if place.plural else 1)
-        found.append(WantedOpening(place.name, min(count, 8), wall, bool(large)))
-    return tuple(found)
-
-
-def spoken_openings(reading: Reading, kind: str, most: int) -> tuple[int, int]:
-    """Return how few and how many doors or windows a text takes a room to have: "under the window" means that it has one."""
-    objects = [o for link in reading.parsed.links for o in link.objects if isinstance(o, Place)]
-    named = [o for o in (*objects, *(o.by[1] for o in objects if o.by)) if o.name == kind and not o.words]
-    if any(o.plural for o in named):
-        return min(2, most), most
-    return 1, 1 if any(o.det == "the" for o in named) else most
