@@ -103,29 +103,8 @@ class References(Spoken):
             return slice(first, count if chunk.plural else first + 1)
         if chunk.det == "one" or (chunk.number == 1 and not chunk.det and not target):
             return slice(first, first + many) if first + many <= count else slice(0, many)
-        places = {
-            **dict.fromkeys(
-                (
-                    "left",
-                    "first",
-                    "lower",
-                    "bottom",
-                    "leftmost",
-                    "lowest",
-                    "bottommost",
-                    "largest",
-                    "biggest",
-                    "tallest",
-                ),
-                0,
-            ),
-            "second": 1,
-            "third": 2,
-            "middle": count // 2,
-            **dict.fromkeys(
-                ("right", "last", "upper", "top", "rightmost", "highest", "topmost", "uppermost", "smallest"), count - 1
-            ),
-        }
+        places = {"second": 1, "third": 2, "middle": count // 2}
+        places |= dict.fromkeys(small.AT_FIRST, 0) | dict.fromkeys(small.AT_LAST, count - 1)
         told = [places[word] for word in (chunk.det, *chunk.adjectives) if word in places]
         told += [0] if chunk.number == 1 and not chunk.plural and target else []
         return slice(told[0], told[0] + 1) if told else None
