@@ -188,7 +188,7 @@ class _Graph:
     entering: tuple[NDArray[np.intp], NDArray[np.intp]]
 
 
-@lru_cache(maxsize=4)
+@lru_cache(maxsize=2)
 def _graph(grid: _Grid, room: Room, agent: Agent) -> _Graph:
     """Return the lattice of a body in an empty room: its moves, and reversals where it stands."""
     sweeps, count, half = _swept(agent, grid.heading, grid.cell), len(grid.places), TURNS // 2
