@@ -250,10 +250,8 @@ class Writer:
 
     def _cleared(self, item: Cast) -> Iterator[str]:
         """Yield the sides that a thing wants clear, where its kind does not say it."""
-        if item.role.prefer.get("any_side", 0) > 0 or not item.asset.on_floor:
-            return
         in_a_block = len(self._equal(item)) >= item.role.prefer.get("block", math.inf)
-        for side, depth in item.role.clear.items():
+        for side, depth in item.role.clear.items() if item.asset.on_floor else ():
             for one in (("left", "right") if not in_a_block else ()) if side == "side" else (side,):
                 wide = depth if depth > 0 else passage(self.scene)
                 yield _wish(f'keep_clear({self._name(item.name)}, "{one}", {wide:g})')
