@@ -76,18 +76,18 @@ def join_as_asked(cast: Mapping[str, Cast], demands: Sequence[Demand], passage: 
     }  # what is around a table comes after it
     joins = dict(one for demand in demands for one in _joins(demand, cast, passage))
     # two that face each other by the fireplace do not stand beside it with their backs in line
-    faced = {one.asset_names()[1] for demand in demands for one in demand.ways[0] if one.name == "facing_pair"}
+    faced = {one.asset_names()[1] for one in said(demands) if one.name == "facing_pair"}
     beside = {name for name in faced & joins.keys() if joins[name][1].slot == "beside"}
     wanted = {name: join for name, join in joins.items() if name not in tops | beside} | chains
     for name in subjects(demands) - wanted.keys():
         about = [demand for demand in demands if name in subjects([demand])]
         asset, anchor = found[name].asset, found[name].anchor
         stays = (asset.on_object and not asset.on_floor) or any(anchor in demand.names() for demand in about)
-        if not stays or any(relation.name == "mounted_on" for demand in about for relation in demand.ways[0]):
+        if not stays or any(relation.name == "mounted_on" for relation in said(about)):
             found[name] = found[name].alone
     seated = [wanted[name] for name in wanted if cast[name].role.name.endswith("seat")]
     told = {anchor for anchor, join in seated if join.slot == "around"}
-    for a, b in (pair for demand in demands for relation in demand.ways[0] if len(pair := relation.asset_names()) == 2):
+    for a, b in (pair for relation in said(demands) if len(pair := relation.asset_names()) == 2):
         # what usually stands in a row that ends at what is asked to be placed by one of the row stands by itself
         last = next((one for one in chain(b, found) if found[one].anchor == a), "")
         if last and found[last].join.loose and last not in wanted:
@@ -106,21 +106,22 @@ PLACELESS = ("point_towards", "under", "above")
 """Relations that say nothing of where their thing stands on the floor: looking at something moves nothing."""
 
 
+def said(demands: Iterable[Demand], *, placing: bool = False) -> list[Relation]:
+    """Return the statements of the first ways of some demands, all or those that put something on the floor."""
+    found = (relation for demand in demands for relation in demand.ways[0])
+    return [relation for relation in found if not (placing and relation.name in PLACELESS)]
+
+
 def subjects(demands: Iterable[Demand]) -> set[str]:
     """Return what is asked to be somewhere."""
-    return {
-        name
-        for demand in demands
-        for relation in demand.ways[0]
-        if relation.name not in PLACELESS
-        for name in relation.asset_names()[: None if relation.name == "in_rows" else 1]
-    }
+    placing = ((one.asset_names(), one.name == "in_rows") for one in said(demands, placing=True))
+    return {name for names, rows in placing for name in (names if rows else names[:1])}
 
 
 def hung_over(scene: Scene, demands: Iterable[Demand]) -> dict[str, str]:
     """Return what stands on the floor below what is asked to hang above it on a wall, with the first of that."""
     found = dict[str, str]()
-    for high, low in (one.asset_names() for demand in demands for one in demand.ways[0] if one.name == "above"):
+    for high, low in (one.asset_names() for one in said(demands) if one.name == "above"):
         if scene.by_name[high].on_wall and scene.by_name[low].on_floor:
             found.setdefault(low, high)
     return found
@@ -131,16 +132,14 @@ def held_by_walls(demands: Sequence[Demand]) -> set[str]:
 
     What something is to be behind stands free of the wall.
     """
-    placed = ("corner", "zone", "near")
-    said = [relation for demand in demands for relation in demand.ways[0] if relation.name not in PLACELESS]
-    free = {one.asset_names()[0] for one in said if one.name not in placed or len(one.asset_names()) > 1}
-    free |= {one.asset_names()[1] for one in said if one.name == "behind"}
-    return {one.asset_names()[0] for one in said} - free
+    asked = [(one.name, *one.asset_names()) for one in said(demands, placing=True)]
+    free = {name for how, name, *others in asked if how not in ("corner", "zone", "near") or others}
+    return {name for _, name, *_ in asked} - free - {others[0] for how, _, *others in asked if how == "behind"}
 
 
 def cornered(demands: Iterable[Demand]) -> set[str]:
     """Return what is asked to be in one corner and no other."""
-    only = (relation for demand in demands if len(demand.ways) == 1 for relation in demand.ways[0])
+    only = said(demand for demand in demands if len(demand.ways) == 1)
     return {relation.asset_names()[0] for relation in only if relation.name == "corner"}
 
 
@@ -159,8 +158,8 @@ def _joins(demand: Demand, cast: Mapping[str, Cast], passage: float) -> Iterator
             b = cast[b.anchor]  # who sits before a screen sits before its stand
         join = _join(relation, a, b, {one.name: one for one in demand.ways[0]}, passage)
         if join is not None:
-            said = join.say or join.all or (len(demand.ways) == 1 and b.name == names[1])
-            yield a.name, (b.name, join if said else replace(join, say=usual_say(join.slot)))
+            told = join.say or join.all or (len(demand.ways) == 1 and b.name == names[1])
+            yield a.name, (b.name, join if told else replace(join, say=usual_say(join.slot)))
 
 
 def _chains(
@@ -170,7 +169,7 @@ def _chains(
     between = [demand.exact.asset_names() for demand in demands if demand.exact is not None]
     between = [names for names in between if len(names) == 3]
     for names in between:
-        others = (one for demand in demands for one in demand.ways[0] if demand.names() != frozenset(names))
+        others = said(demand for demand in demands if demand.names() != frozenset(names))
         placing = (one for one in others if one.name not in ("align_with", "point_towards", "next_to", "near"))
         if not any({*names[1:]} <= {*one.asset_names()} for one in placing):
             yield from _side_by_side([cast[name] for name in names], passage)
@@ -229,9 +228,8 @@ def _join(relation: Relation, a: Cast, b: Cast, asked: Mapping[str, Relation], p
 
 def _at_its_back(a: Cast, passage: float, turned: float) -> Join:
     """Return how a thing joins another that it is asked to be behind: back to back, or with room for who stands between."""
-    back_to_back = ('centered_on({a}, {b}, "side")',)
     if turned == 180.0:
-        return Join("behind", (), gap=GAPS.backs, loose=True, faces="away", say=back_to_back)
+        return Join("behind", (), gap=GAPS.backs, loose=True, faces="away", say=('centered_on({a}, {b}, "side")',))
     # who takes something from a shelf or cabinet stands between
     gap = passage if {"wall", "grid"} & {*a.role.stands} else GAPS.before
     return Join("behind", (), gap=gap, loose=True, say=BEHIND)
