@@ -9,6 +9,7 @@ from dataclasses import dataclass, field
 from difflib import get_close_matches
 from functools import cache, lru_cache
 from importlib.resources import files
+from typing import Any
 
 from robolayout.assets import CATALOGUE, Category, category_of, find_category
 from robolayout.assets.lexicon import phrase_index, singular
@@ -65,26 +66,14 @@ def grammar() -> Grammar:
     phrases |= {phrase: ("and", phrase) for phrase in (*JOINED, *ALIKE)}
     phrases |= {phrase: ("rel", name) for name, given in data["relations"].items() for phrase in given}
     phrases = {phrase.replace(" the ", " "): named for phrase, named in phrases.items()} | phrases  # "on left side of"
-    return Grammar(
-        phrases,
-        frozenset(map(plain, data["fillers"]["words"])),
-        frozenset(data["styles"]["words"]),
-        frozenset(data["functions"]["words"]),
-        {word: name for name, words in data["parts"].items() for word in words},
-        {word: name for name, words in data["wall_words"].items() for word in words},
-        {word: (d, w, h) for word, (d, w, h) in data["sizes"].items()},
-        data["rooms"],
-        {word: (d, w, h) for word, (d, w, h) in data["models"].items()},
-        data["kinds"],
-        {word: tuple(kinds) for word, kinds in data["groups"].items()},
-        data["heads"],
-        data["places"],
-        frozenset(data["airy"]["words"]),
-        {key: tuple(words) for key, words in data["cosy"].items()},
-        tuple(frozenset(words) for words in data["exclusive"].values()),
-        data["floors"],
-        {key: tuple(words) for key, words in data["dress"].items()},
-    )
+    lists: dict[str, Any] = {name: data[name] for name in ("rooms", "kinds", "heads", "places", "floors")}
+    for name in ("fillers", "styles", "functions", "airy"):
+        lists[name] = frozenset(map(plain, data[name]["words"]))
+    for name in ("parts", "walls"):
+        lists[name] = {word: key for key, words in data[name].items() for word in words}
+    for name in ("sizes", "models", "groups", "cosy", "dress"):
+        lists[name] = {key: tuple(row) for key, row in data[name].items()}
+    return Grammar(phrases=phrases, exclusive=tuple(map(frozenset, data["exclusive"].values())), **lists)
 
 
 def dressing(text: str) -> str:
