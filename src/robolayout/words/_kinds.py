@@ -69,12 +69,9 @@ def _settle_by_place(link: Link) -> None:
             own = phrase_index().get(f"{noun.said} stand", ())[:1]
             if link.relation == "on" and bearer.noun.said == "stand" and own:
                 bearer.noun = replace(bearer.noun, words=own[0], kind=own[0], guessed="")
-        on_wall, above = f"wall {thing.head.replace('bookshelf', 'shelf')}", link.relation == "above"
-        if place == "wall" and above and on_wall in CATALOGUE and " " not in noun.said:
-            thing.noun = replace(noun, words=on_wall, kind=on_wall)
+        stands = thing.category.on_floor and noun.said not in ("lamp", "light", "screen")
+        if place == "wall" and link.relation != "above" and stands:
             continue
-        if place == "wall" and not above and thing.category.on_floor and noun.said not in ("lamp", "light", "screen"):
-            continue  # it stands there
         fits = [kind.name for kind in noun.categories if place in kind.places]
         if noun.others and fits and noun.words in (noun.kind, noun.said):
             words = fits[0] if noun.words == noun.kind else noun.words

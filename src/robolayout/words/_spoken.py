@@ -157,19 +157,15 @@ class Spoken:
         if word in small.SEVERAL:
             held = [m for m in earlier if holder is None or many or m.thing is not holder.thing]
             return self._several_meant(held if len(held) > 1 else earlier, to)
-        return self._kept(word, relation, own, fresh=self.told >= self.began or not earlier) or self._last(
-            word, relation, earlier, to
-        )
+        return self._kept(word, relation, own) or self._last(word, relation, earlier, to)
 
     def _last_of(self, heads: Sequence[str], own: set[Thing]) -> list[Mention]:
         """Return what was named last of things with some last words, `own` aside; nothing where there is none."""
         return [Mention(thing) for thing in self.said.things if thing.head in heads and thing not in own][-1:]
 
-    def _kept(self, word: str, relation: str, own: set[Thing], *, fresh: bool) -> list[Mention]:
-        """Return what the last "it" stood for where this one stands for the same; fresh where no thing was named since."""
+    def _kept(self, word: str, relation: str, own: set[Thing]) -> list[Mention]:
+        """Return what the last "it" stood for where this one stands for the same."""
         side, of = self.contrast
-        if not fresh:
-            return []
         if word == "it" and relation == side and of and of[0].thing not in own:
             return of  # "a lamp to the left of the sofa; to the right of it a plant"
         again = [c.kind for c in self.chunks[max(self.at - 5, 0) : self.at]] == ["pron", "and", "thing", "rel", "pron"]
