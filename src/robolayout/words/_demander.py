@@ -182,7 +182,7 @@ class Demander(AtPlaces):
             if metres[1] == math.inf:
                 yield from map(single, gaps)
             elif gaps:
-                yield Demand(tuple((gap,) for gap in gaps))
+                yield single(*gaps)
 
     def _gap(self, a: str, b: AssetRef | PointRef | WallRef, low: float, high: float) -> Relation:
         """Return that so many metres lie between edges: whichever of their sides these are, or surely on all of them."""
@@ -226,11 +226,11 @@ class Demander(AtPlaces):
     def _behind_each(self, a: str, b: str) -> Demand:
         """Behind a thing; who sits behind a desk sits at the side from which it is used."""
         gap = ways_of.BACK_WALL if self._only_wall(a) else ways_of.BACK  # "on the wall behind the counter"
-        ways = [(stated("behind", AssetRef(a), AssetRef(b), 0.0, gap),)]
+        ways = [stated("behind", AssetRef(a), AssetRef(b), 0.0, gap)]
         if self._sits_behind(a, b):
-            ways = [(stated("in_front_of", AssetRef(a), AssetRef(b), 0.0, ways_of.BACK),), *ways]
-            ways = ways[:1] if b in self.manned else ways
-        return Demand(tuple(ways))
+            used = stated("in_front_of", AssetRef(a), AssetRef(b), 0.0, ways_of.BACK)
+            ways = [used] if b in self.manned else [used, *ways]
+        return single(*ways)
 
     def _sits_behind(self, a: str, b: str) -> bool:
         """Return whether who sits on a thing that is behind another uses that from there."""
@@ -288,8 +288,9 @@ class Demander(AtPlaces):
     def _diagonal(self, it: Asked) -> Iterator[Demand]:
         """Turned by an eighth or three eighths from a wall."""
         for a in it.subjects:
-            angles = (45.0, 135.0, 225.0, 315.0)
-            yield Demand(tuple((stated("align_with", AssetRef(a), WallRef(0), angle),) for angle in angles))
+            yield single(
+                *(stated("align_with", AssetRef(a), WallRef(0), angle) for angle in (45.0, 135.0, 225.0, 315.0))
+            )
 
     def _mirrored(self, it: Asked) -> Iterator[Demand]:
         for a, b in zip(it.subjects[::2], it.subjects[1::2], strict=False):
@@ -297,9 +298,9 @@ class Demander(AtPlaces):
 
     def _lit(self, it: Asked) -> Iterator[Demand]:
         """In daylight: not far from a window."""
-        for a in it.subjects:
-            ways = [(stated("near", AssetRef(a), point, ways_of.DAYLIGHT),) for point in self._points(Place("window"))]
-            yield from [Demand(tuple(ways))] if ways else []
+        windows = self._points(Place("window"))
+        for a in it.subjects if windows else ():
+            yield single(*(stated("near", AssetRef(a), point, ways_of.DAYLIGHT) for point in windows))
 
     def _open(self, it: Asked) -> Iterator[Demand]:
         """The middle of the room stays free: each thing stands in one of the four strips around it."""
@@ -308,7 +309,7 @@ class Demander(AtPlaces):
         half = max(ways_of.LEAST_MIDDLE, ways_of.OPEN_SHARE * min(x1 - x0, y1 - y0))
         strips = ((x0, y0, x - half, y1), (x + half, y0, x1, y1), (x0, y0, x1, y - half), (x0, y + half, x1, y1))
         for a in it.subjects:
-            yield Demand(tuple((stated("zone", AssetRef(a), rectangle(*strip)),) for strip in strips))
+            yield single(*(stated("zone", AssetRef(a), rectangle(*strip)) for strip in strips))
 
     def _row(self, it: Asked) -> Iterator[Demand]:
         """Side by side: alike things in one line, others each at a side of the one before, turned the same way."""
@@ -346,7 +347,7 @@ class Demander(AtPlaces):
         for number, a in enumerate(it.subjects[1:], 1):
             beside = [*reversed(it.subjects[:number]), *it.subjects[number + 1 :]]
             if self._asset(a).on_floor or not self._asset(a).on_object:
-                yield Demand(tuple((stated("near", AssetRef(a), AssetRef(b), ways_of.BACK),) for b in beside))
+                yield single(*(stated("near", AssetRef(a), AssetRef(b), ways_of.BACK) for b in beside))
 
     def _seen(self, it: Asked) -> Iterator[Demand]:
         for i, b in enumerate(it.others):  # "visible from the bed and from the sofa"
@@ -370,11 +371,11 @@ class Demander(AtPlaces):
 
     def _above_each(self, a: str, b: str) -> Demand:
         """Over a thing, on the wall where it hangs there, or on it."""
-        ways, asset = [(stated("above", AssetRef(a), AssetRef(b)),)], self._asset(a)
-        if asset.on_object:
-            hung = [(stated("mounted_on", AssetRef(a)), *ways[0])] if asset.on_wall else ways
-            ways = [*hung, (stated("on_top_of", AssetRef(a), AssetRef(b)),)]
-        return Demand(tuple(ways))
+        above, on_top = (stated(how, AssetRef(a), AssetRef(b)) for how in ("above", "on_top_of"))
+        if not self._asset(a).on_object:
+            return single(above)
+        hung = (stated("mounted_on", AssetRef(a)),) if self._asset(a).on_wall else ()
+        return Demand(((*hung, above), (on_top,)))
 
     def _amid(self, it: Asked) -> Iterator[Demand]:
         """Between two things, or a thing and a place: near both, and on the line between them."""

@@ -50,6 +50,6 @@ def by_ways(ways: Ways, a: str, b: str) -> Demand:
     )
 
 
-def single(relation: Relation) -> Demand:
-    """Return a demand that only one statement meets."""
-    return Demand(((relation,),))
+def single(*relations: Relation) -> Demand:
+    """Return a demand that a single statement meets, any of these."""
+    return Demand(tuple((relation,) for relation in relations))
