@@ -227,7 +227,8 @@ class _Rows:
         bound = {"least": "at least ", "more": "at least ", "most": "at most ", "vague": "some, "}.get(thing.bound, "")
 
         def judge(room: Furnished) -> Finding:
-            alike = [a.name for a in room.scene.assets if a.name in own or (a.name not in others and fits(a, thing))]
+            free = (a for a in room.scene.assets if a.name not in others)
+            alike = [a.name for a in free if a.name in own or any(fits(a, thing) for fits in TIERS)]
             there = sum(name in room.layout for name in alike)
             least = 1 if thing.number is None else wanted  # "shelves" are some, however many
             if not alike:
@@ -318,7 +319,7 @@ def stand_ins(scene: Scene, things: Sequence[Thing]) -> dict[Thing, tuple[str, .
     """
     free = [asset for asset in scene.assets]
     found: dict[Thing, tuple[str, ...]] = {}
-    for tier in (_same_words, _same_kind, _same_head):
+    for tier in TIERS:
         for thing in things:
             have = found.get(thing, ())
             short = thing.count - len(have)
@@ -330,11 +331,6 @@ def stand_ins(scene: Scene, things: Sequence[Thing]) -> dict[Thing, tuple[str, .
             free = [asset for asset in free if asset not in taken]
             found[thing] = (*have, *(asset.name for asset in taken))
     return found
-
-
-def fits(asset: Asset, thing: Thing) -> bool:
-    """Return whether an asset is such a thing."""
-    return _same_words(asset, thing) or _same_kind(asset, thing) or _same_head(asset, thing)
 
 
 def _same_words(asset: Asset, thing: Thing) -> bool:
@@ -354,6 +350,10 @@ def _same_head(asset: Asset, thing: Thing) -> bool:
     if not category or len(said) != 1:
         return bool(category) and thing.head == category[-1] and len(category) == 1
     return category[-1] == said[0] or KIN.get(category[-1]) == said[0]
+
+
+TIERS = (_same_words, _same_kind, _same_head)
+"""How assets are found to be what was named, the likeliest first."""
 
 
 def share_met(rows: tuple[AskedRow, ...]) -> float:
