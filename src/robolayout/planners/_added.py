@@ -10,7 +10,7 @@ import numpy as np
 
 from robolayout.planners._wishes import Wishes, head
 from robolayout.scene import Agent
-from robolayout.words import Mention, visits
+from robolayout.words import mentions, visits
 
 COMFORT, AIRY = 0.26, 0.15
 """Shares of the floor up to which further things are added: usually, and in a room that is to be airy."""
@@ -115,7 +115,7 @@ class Added:
         """Return whether a thing is said to be around, or with, other things than its owner alone: the chairs of a table."""
         links = (link for link in self.wishes.reading.parsed.links if link.relation in ("with", "around"))
         own = (link for link in links if name in {self.wishes.kind(mention.thing) for mention in link.subjects})
-        owners = {self.wishes.kind(item.thing) for link in own for item in link.objects if isinstance(item, Mention)}
+        owners = {self.wishes.kind(item.thing) for link in own for item in mentions(link.objects)}
         return bool(owners) and not owner.endswith(tuple(owners))
 
     def _add(self, name: str, most: int) -> None:

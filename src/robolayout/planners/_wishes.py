@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections import Counter
-from collections.abc import Collection, Iterable, Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 
@@ -18,13 +18,14 @@ from robolayout.words import (
     KIN,
     Lexicon,
     Link,
-    Mention,
     Place,
     Reading,
     Rooms,
     RoomType,
     Thing,
     grammar,
+    mentions,
+    named,
     read_rooms,
     read_text,
     sized,
@@ -171,7 +172,7 @@ class Wishes:
         if len(said) != 1 or said[0] not in GENERAL or thing.noun.guessed or set(thing.adjectives) - SIZE_WORDS - LOOKS:
             return kind
         (word,), links = said, self.reading.parsed.links
-        at = [item for link in links if thing in _things(link.subjects) for item in link.objects]
+        at = [item for link in links if thing in named(link.subjects) for item in link.objects]
         elsewhere = any(isinstance(item, Place) or item.thing.noun.kind.endswith("table") for item in at)
         usual = () if word == "chair" and elsewhere else (*room.base, *room.extras)
         items = [*([room.tables] if room.tables else []), *room.person, *usual]
@@ -200,9 +201,9 @@ class Wishes:
     def _as_placed(self, thing: Thing, kind: Category) -> Category:
         """Return a kind as it is where it is asked to be: on a thing, under the ceiling, flat on a wall, on one of its own."""
         for link in self.reading.parsed.links:
-            if thing not in _things(link.subjects):
+            if thing not in named(link.subjects):
                 continue
-            to = [self.lexicon.kinds[at.noun.kind] for at in _things(link.objects[:1])]
+            to = [self.lexicon.kinds[at.thing.noun.kind] for at in mentions(link.objects[:1])]
             places = {item.name for item in link.objects if isinstance(item, Place)}
             small = kind.size[0] * kind.size[1] < CARRIED
             if link.relation == "on" and small and any(bearer.size[2] >= FLAT_HEIGHT for bearer in to):
@@ -218,8 +219,8 @@ class Wishes:
     def _large_enough(self, thing: Thing, size: Size) -> Size:
         """Return the size of a thing with room for what is to lie on it, where it is a rug, or to sit before it in a line."""
         depth, width, height = size
-        links = [link for link in self.reading.parsed.links if thing in _things(link.objects)]
-        for relation, other in ((link.relation, other) for link in links for other in _things(link.subjects)):
+        links = [link for link in self.reading.parsed.links if thing in named(link.objects)]
+        for relation, other in ((link.relation, one.thing) for link in links for one in link.subjects):
             kind, each = other.noun.kind, other.count / thing.count
             own = self.lexicon.kinds[kind].size
             if relation == "on" and height < FLAT_HEIGHT:
@@ -283,15 +284,11 @@ def _belongs(kinds: set[str], room: RoomType) -> float:
     return found - LACKING * (len(room.base.keys() - kinds) - len(lights_and_rugs))
 
 
-def _things(items: Iterable[Mention | Place]) -> list[Thing]:
-    return [item.thing for item in items if isinstance(item, Mention)]
-
-
 def _seats(thing: Thing, links: Sequence[Link]) -> float:
     """Return the seats that each of a thing is said to have: "for ten", "with six chairs", "ten chairs around it"."""
     if thing.people:
         return _promised(thing)
-    others = (other for link in links if link.relation in ("with", "around") for other in _things(link.subjects))
+    others = (one.thing for link in links if link.relation in ("with", "around") for one in link.subjects)
     return sum(other.count for other in others if other.noun.kind.endswith(SEATS)) / thing.count
 
 

@@ -76,7 +76,7 @@ class OfflinePlanner:
             if group.label != label:
                 label = group.label
                 said = [label] if label in told else [label, group.why]
-                text += ["", f"# {': '.join(map(_one_line, said))}"]
+                text += ["", f"# {': '.join(' '.join(one.split()) for one in said)}"]  # nothing leaves its comment line
                 told.add(label)
             text += [line for line, subject in user if subject == name]
             for line in writer.lines(name):
@@ -104,8 +104,3 @@ def _wall(wall: Wall, room: Room) -> str:
 def _topic(line: str) -> str:
     """Return relation and first two arguments of a line: what a program may demand once."""
     return ",".join(line.split(",")[:2]).rstrip(")")
-
-
-def _one_line(text: str) -> str:
-    """Return text that cannot leave its comment line."""
-    return " ".join(text.split())

@@ -22,7 +22,7 @@ from robolayout.planners._knowledge import load_knowledge
 from robolayout.planners._openings import with_openings
 from robolayout.planners._wishes import Wishes, head, read_wishes
 from robolayout.scene import FLAT_HEIGHT, Agent, Room, Scene, load_agent, scene_from_dict, variable_name
-from robolayout.words import Link, Mention, RoomType, dressing
+from robolayout.words import RoomType, dressing, named
 
 
 @dataclass(frozen=True)
@@ -115,7 +115,9 @@ def scene_from_sentence(
     agent = wishes.reading.agent or wishes.room.agent
     bodies = agents or ([load_agent(agent)] if agent else [])
     added = Added(wishes, wished, wishes.floor(size), fill, bodies).things(rng)
-    height = _height(wishes, (wishes.kinds[name].size[2] for name in (*wished, *added)))
+    tallest = max((wishes.kinds[name].size[2] for name in (*wished, *added)), default=0.0)
+    enough, given = math.ceil(10 * (1.07 * tallest + 0.2)) / 10, wishes.reading.measure("height")
+    height = given[0] if given else max(wishes.room.height, enough)
     assumed = (*wishes.guesses, *_assumed(wishes, size, height, [wishes.kinds[name] for name in wished]))
     kind = wishes.room.of or wishes.room.name
     found = Understanding(
@@ -135,7 +137,9 @@ def _wished(wishes: Wishes) -> dict[str, int]:
     rows = {head(m.thing.noun.kind) for link in links if link.relation == "rows" for m in link.subjects}
     if (rows & {"chair", "seat", "pew"} or "seat" in map(head, wished)) and "desk" not in heads:
         heads |= {"desk", "chair"}  # an audience sits before a board, at no desks
-    sat = (m.thing for link in links if link.relation in ("with", "around") and _at_tables(link) for m in link.subjects)
+    seated = [link for link in links if link.relation in ("with", "around")]
+    at_tables = (link for link in seated if any(to.noun.kind.endswith("table") for to in named(link.objects)))
+    sat = (m.thing for link in at_tables for m in link.subjects)
     if 2 * sum(thing.count for thing in sat if head(thing.noun.kind) == "chair") >= room.people:
         heads |= {"desk"} if "student desk" in room.person else set()  # the pupils sit at tables
     seated = "table" in heads if room.tables else heads & LOUNGE
@@ -150,11 +154,6 @@ def _wished(wishes: Wishes) -> dict[str, int]:
     if room.tables and not any(head(name) == "table" for name in wished if "buffet" not in name):
         wished[room.tables] = math.ceil(chairs / (2 if room.tables == "round table" else 4))
     return dict(wished)
-
-
-def _at_tables(link: Link) -> bool:
-    """Return whether a relation leads to tables."""
-    return any(isinstance(item, Mention) and item.thing.noun.kind.endswith("table") for item in link.objects)
 
 
 def _usual_people(wishes: Wishes) -> int:
@@ -224,7 +223,7 @@ def _blocks(wishes: Wishes) -> Iterator[tuple[float, float]]:
             each = math.ceil(thing.count / link.rows)
             aisle = SIZES.between if kind.endswith(("desk", "table")) else SIZES.aisle * (height >= FLAT_HEIGHT)
             ahead = link.rows * (depth + aisle) + SIZES.around + SIZES.before
-            watching = any(k.relation == "facing" and thing in [m.thing for m in k.subjects] for k in links)
+            watching = any(k.relation == "facing" and thing in named(k.subjects) for k in links)
             yield (ahead if watching else each * width + 2 * SIZES.around), ahead  # what they watch may be at any wall
 
 
@@ -244,13 +243,6 @@ def _possible(wishes: Wishes, wished: Mapping[str, int], size: tuple[float, floa
                 f"a {name} of {kind.size[0]:g} x {kind.size[1]:g} m does not fit into a room of {size[0]:g} x {size[1]:g} m; "
                 "ask for a larger room or leave it out."
             )
-
-
-def _height(wishes: Wishes, things: Iterable[float]) -> float:
-    """Return the wall height in metres: as asked, or as usual, or enough for the tallest thing."""
-    given = wishes.reading.measure("height")
-    enough = math.ceil(10 * (1.07 * max(things, default=0.0) + 0.2)) / 10
-    return given[0] if given else max(wishes.room.height, enough)
 
 
 def _assumed(wishes: Wishes, size: tuple[float, float], height: float, wished: Iterable[Category]) -> Iterator[str]:

@@ -2,7 +2,7 @@
 
 from robolayout.words._lexicon import Lexicon, dressing, grammar
 from robolayout.words._places import COMPASS, walls_meant
-from robolayout.words._said import Link, Mention, Place, Thing
+from robolayout.words._said import Link, Mention, Place, Thing, mentions, named
 from robolayout.words._tokens import Measure
 from robolayout.words._ways import visits
 from robolayout.words.demands import Demand
@@ -27,6 +27,8 @@ __all__ = [
     "Wishes",
     "dressing",
     "grammar",
+    "mentions",
+    "named",
     "read_rooms",
     "read_text",
     "read_words",
