@@ -10,7 +10,7 @@ from robolayout.scene import FLAT_HEIGHT
 from robolayout.words import _function_words as small
 from robolayout.words._chunk import Chunk
 from robolayout.words._references import References
-from robolayout.words._said import Mention, Place, Thing, laid, mentions, named, place_of, same, several, topped
+from robolayout.words._said import Mention, Place, laid, mentions, named, place_of, same, several, topped
 from robolayout.words._ways import OTHER_SIDE, SEATS, TOPS
 
 CORNERS, WALLS = ("near", "far"), ("facing", "behind", "by", "with")
@@ -234,11 +234,12 @@ class About(References):
         does = {*self._ahead(-1).adjectives} & small.PLURAL_DOES and not self.relative  # "a sofa and a chair face it"
         if len(self.group) > 1 and (does or self._shared(relation)):
             return list(self.group)
+        on_tops = self.target is not None and self.target.thing.category.on_object
         if self.target is not None and relation == "on" and following != "wall" and last:
-            told = _on_tops(self.target) and not _on_tops(last[0])  # "a sofa facing a TV on a stand"
+            told = on_tops and not last[0].thing.category.on_object  # "a sofa facing a TV on a stand"
         place = self._ahead().kind == "part"
         if self.target is not None and place and last and relation not in ("on", "facing"):
-            told = told or (_on_tops(last[0]) and not _on_tops(self.target))  # "a laptop on the desk under the window"
+            told = told or (last[0].thing.category.on_object and not on_tops)  # "a laptop on the desk under the window"
         to = self._ahead().noun
         if self.target is not None and to is not None and last and relation in small.STANDING:
             held = topped(last[0]) and not topped(self.target) and not to.category.on_object
@@ -276,14 +277,16 @@ class About(References):
         if again or not closed or self.target is not None or {m.thing for k in own for m in k.subjects} & {*earlier}:
             return False
         where, many = _where(relation, to), relation == "flank" and any(map(several, self.group))
-        if many or relation not in small.SHARED or (where and not all({*where} & _places(thing) for thing in earlier)):
+        kinds = (thing.noun.categories for thing in earlier)
+        barred = bool(where) and not all({*where} & {at for kind in any_of for at in kind.places} for any_of in kinds)
+        if many or barred or relation not in small.SHARED:
             return False
         if relation in ("wall", "flank") or where == ("object",):
             return True
         unit = self.chunks[begun]  # "an armchair and ottoman"
         if not (unit.det or unit.plural or unit.number is not None or earlier[1:]):
             return True
-        alike = all(map(_sat_at, self.group))
+        alike = all(mention.thing.head in (*SEATS, *TOPS) for mention in self.group)
         if any(c.kind in ("room", "with", "colon") and c.start >= self.began for c in self.chunks[:begun]):
             return alike and not earlier[1:]
         return alike or not earlier[1:] or all(thing.definite for thing in earlier) or to.kind == "thing"
@@ -311,8 +314,6 @@ class About(References):
             return list(self.holder)  # "a rug with a table on it in front of the sofa"
         if previous.kind == "pron" and not self.relative:
             return list(self.before or self.subject) if not self.group else list(self.group)
-        if self.relative:
-            return self.group[-1:]
         if previous.kind == "comma" and self.holder and not self.acted and self._ahead().kind != "pron":
             return list(self.holder)  # "three desks, each with a chair, in a row"
         ordered = relation in small.ORDERS and len(self.group) > 1 and not self.acted
@@ -338,21 +339,6 @@ def _where(relation: str, to: Chunk) -> tuple[str, ...]:
     return ("floor",) if relation in ("on", "in", "wall", "under") else ()
 
 
-def _places(thing: Thing) -> set[str]:
-    """Return where things of any kind that a noun means can be."""
-    return {place for kind in thing.noun.categories for place in kind.places}
-
-
-def _sat_at(mention: Mention) -> bool:
-    """Return whether a thing is a seat or what one sits at."""
-    return sat_on(mention) or mention.thing.head in TOPS
-
-
 def sat_on(mention: Mention) -> bool:
     """Return whether one sits on a thing."""
     return mention.thing.head in SEATS
-
-
-def _on_tops(mention: Mention) -> bool:
-    """Return whether a thing can stand on another."""
-    return mention.thing.category.on_object

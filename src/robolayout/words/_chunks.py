@@ -217,7 +217,8 @@ class Chunker(ClosedWords):
             both = word == "and" and bool(run) and all(side in self.grammar.walls for side in pair)
             stops = i in self.measured or word[0].isdecimal() or word in (*MARKS, *small.WITH, *small.REFUSING)
             stops = stops or (word in small.JOINING and not both)  # "the left and right walls"
-            stops = stops or (word in small.BREAKING and not self._named_of(i, run))
+            of_it = bool(run) and self.lexicon.noun([run[-1], *self.words[i : i + 2]]) is not None  # "chest of drawers"
+            stops = stops or (word in small.BREAKING and not of_it)
             counts = count_of(word) is not None and word != "couple" and not self._seats(i)
             named = not run and self.lexicon.noun(self.words[i : i + 3]) is not None  # "first aid kit"
             if stops or counts or (word in small.DETERMINERS and not named) or self._closed(i, run, many):
@@ -225,10 +226,6 @@ class Chunker(ClosedWords):
             run.append(word)
             i += 1
         return run
-
-    def _named_of(self, i: int, run: Sequence[str]) -> bool:
-        """Return whether "of" is part of a name here: "chest of drawers"."""
-        return bool(run) and self.lexicon.noun([run[-1], *self.words[i : i + 2]]) is not None
 
     def _closed(self, i: int, run: Sequence[str], many: bool) -> bool:
         """Return whether a word here begins a relation or is a verb, not a part of what is named."""
@@ -254,15 +251,14 @@ class Chunker(ClosedWords):
         if self.lexicon.noun(self.words[i : i + 2]) is not None and self._continues(i):
             return False
         known = bool(run) and self.lexicon.noun([run[-1], word]) is not None
-        following = (*self.words[i + 1 : i + 2], ".")[0]
         # "a lamp and a plant stand next to each other"
         mutual = bool({"each", "another"} & {*self.words[i + 1 : i + 5]})
-        leads = following in small.DETERMINERS or count_of(following) is not None  # "before the plant stand two chairs"
+        told = i == len(run) or self._leads(i - len(run) - 1)
         return (
             not known
-            or (word == "stands" and following in MARKS and self.words[i - len(run) - 1] in ("a", "an"))
-            or (word == "stands" and not many and self._begins_relation(i + 1) and self._told(i - len(run) - 1))
-            or (word in ("stand", "stands") and leads)
+            or (word == "stands" and self._word(i + 1) in ("", *MARKS) and self.words[i - len(run) - 1] in ("a", "an"))
+            or (word == "stands" and not many and self._begins_relation(i + 1) and told)
+            or (word in ("stand", "stands") and self._leads(i + 1))  # "before the plant stand two chairs"
             or (word == "stand" and (run[-1].endswith("s") or (mutual and self._begins_relation(i + 1))))
         )
 
@@ -292,16 +288,13 @@ class Chunker(ClosedWords):
                     return Chunk(kind, at, i + end, value, noun, det, number, bound, plural, adjectives, rows=rows)
             if end == len(run) and whole and (room := self.lexicon.room_like(run)):
                 return Chunk("room", at, i + end, room, None, det, number, bound)
-            if end == len(run) and whole and (part := self._place_like(det, run)):
+            basement = det == "the" and run[-1] in self.grammar.places
+            if end == len(run) and whole and (part := "room" if basement else self.lexicon.part_like(run)):
                 return Chunk("part", at, i + end, part, None, det, number, bound, adjectives=tuple(run[:-1]))
             if end == len(run) and whole and self._promises(run):
                 noun = self.lexicon.guess(run)
                 return Chunk("thing", at, i + end, "", noun, det, number, bound, _plural(run[-1], noun), (), rows=rows)
         return None
-
-    def _place_like(self, det: str, run: list[str]) -> str | None:
-        """Return the place of the room that words name: "the basement", "the cornor"."""
-        return "room" if det == "the" and run[-1] in self.grammar.places else self.lexicon.part_like(run)
 
     def _owned(self, at: int, i: int, run: list[str], before: Before) -> Chunk | None:
         """Return a thing whose side is named: "the sofa's left side", "the table's centre"."""

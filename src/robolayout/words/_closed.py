@@ -49,8 +49,8 @@ class ClosedWords:
             return False
         sided = phrase.endswith(("left", "right", "middle", "center", "centre")) and " its " not in phrase
         if sided and following and following not in MARKS:
-            leads = following in small.DETERMINERS or count_of(following) is not None
-            return leads or following in (*small.JOINING, *small.ALONE_DOES, "there", "with", "are", "stand")
+            told = following in (*small.JOINING, *small.ALONE_DOES, "there", "with", "are", "stand")
+            return told or self._leads(end)
         if re.search("long side|oppos[a-z]* (sides|ends)", phrase) and "room" in self.words[end : end + 3]:
             return False
         if phrase in ("round", "all round"):
@@ -74,9 +74,9 @@ class ClosedWords:
                 return bound, len(phrase)
         return "", 0
 
-    def _told(self, i: int) -> bool:
-        """Return whether a word is an article or a number, or stands before the text."""
-        return i < 0 or self.words[i] in small.DETERMINERS or count_of(self.words[i]) is not None
+    def _leads(self, i: int) -> bool:
+        """Return whether the word at a place is an article or a number."""
+        return self._word(i) in small.DETERMINERS or count_of(self._word(i)) is not None
 
     def _begins_relation(self, i: int) -> bool:
         for size in range(min(LONGEST, len(self.words) - i), 0, -1):

@@ -59,10 +59,9 @@ class Parser(Relating):
         self.broken = True
 
     def _on_comma(self, chunk: Chunk) -> None:
-        self.refusing = False
-        self.verb = self.relative = False
-        self.broken = self.listed = True
-        self.having = self.having and not self.acted and self._previous(chunk) != "each"
+        self._on_and(chunk)
+        self.listed = True
+        self.having = self.having and self._previous(chunk) != "each"
 
     def _on_and(self, chunk: Chunk) -> None:
         self.refusing = self.refusing and chunk.value in ("or", "nor")
@@ -279,9 +278,12 @@ class Parser(Relating):
 
     def _led(self, mention: Mention) -> bool:
         """Return whether a thing stands where the head of its clause says: "on the desk is a lamp"."""
-        if self.fronted is not None and self.acted and (self._elsewhere() or self._alone(mention, joined=True)):
-            self.fronted = None
         if self.fronted is None:
+            return False
+        # "behind it a clock, four armchairs around a table"
+        elsewhere = self.fronted[0].value != "on" and self._ahead().kind == "rel"
+        if self.acted and (elsewhere or self._alone(mention, joined=True)):
+            self.fronted = None
             return False
         for led in (self.also, self.fronted) if self.also is not None else (self.fronted,):
             self._link(led[0], [mention], led[1])
@@ -312,10 +314,6 @@ class Parser(Relating):
         self._each_has(*self.every)
         self.target, self.acted = None, []
         return True
-
-    def _elsewhere(self) -> bool:
-        """Return whether a further thing of a list has its own place: "behind it a clock, four armchairs around a table"."""
-        return self.fronted is not None and self.fronted[0].value != "on" and self._ahead().kind == "rel"
 
     def _alone(self, mention: Mention, *, joined: bool) -> bool:
         """Return whether a new clause begins with a thing: "..., and a rack stands at the wall"."""

@@ -15,7 +15,6 @@ from robolayout.words._said import (
     Place,
     Thing,
     mentions,
-    more_of,
     named,
     same,
     same_words,
@@ -116,8 +115,9 @@ class References(Spoken):
         own = named(self.about if target else ())
         # nothing stands at itself: "a dog bed at the foot of the bed"
         fits = [t for t in self.said.things if same(t, chunk) and (t not in own or same_words(t, chunk))]
-        fits = [t for t in fits if not (bare and chunk.rows and more_of(t, chunk))]
-        fits = [t for t in fits if same_words(t, chunk)] or [t for t in fits if not (bare and more_of(t, chunk))]
+        more = [t for t in fits if bare and chunk.plural and t.count == 1]  # "a high chair and chairs"
+        fits = [t for t in fits if not (chunk.rows and t in more)]
+        fits = [t for t in fits if same_words(t, chunk)] or [t for t in fits if t not in more]
         last, number = fits[-1] if fits else None, chunk.number
         if last is None or not self._has_so_many(last, chunk.det):
             return None
@@ -207,12 +207,6 @@ class References(Spoken):
         self.said.read.update(range(last.start, last.end))
         return [replace(to, words=(*to.words, "middle"))]
 
-    def _gap_told(self, end: int, about: tuple[tuple[Mention, ...], tuple[Mention | Place, ...]]) -> list[Link]:
-        """Return what a measure right before a relation says of it: "40 cm in front of the sofa"."""
-        gap, self.gap = self.gap, None
-        low = gap.measure.values[0] if gap is not None and gap.measure is not None else 0.0
-        return [Link("apart", *about, gap.start, end, (low, low + APART))] if gap is not None else []
-
     def _led_back(self, relation: str) -> Sequence[Mention | Place]:
         """Return what a relation leads to where nothing is named: "a loft bed with a desk underneath", "a bed on the left"."""
         if relation == "opposite":  # of a single seat, bed or desk: "a bed ..., a mirror on the wall opposite"
@@ -277,4 +271,7 @@ class References(Spoken):
             self.said.links.remove(row)  # "lined up along two opposite walls": no one line
             self.said.read.update(range(row.start, row.end))
         self.said.links.append(Link(chunk.value, *about, chunk.start, chunk.end, (low, high), chunk.rows))
-        self.said.links += self._gap_told(chunk.end, about)
+        if self.gap is not None and self.gap.measure is not None:  # "40 cm in front of the sofa"
+            low = self.gap.measure.values[0]
+            self.said.links.append(Link("apart", *about, self.gap.start, chunk.end, (low, low + APART)))
+        self.gap = None

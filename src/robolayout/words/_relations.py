@@ -144,8 +144,6 @@ class Relating(About):
         """A relation: find what it is about, then what it leads to."""
         if chunk.value == "open" and self.verb and self.subject:  # "the table stands free in the middle"
             chunk = replace(chunk, value="middle")
-        if chunk.value == "opposite" and self.said.links and self.said.links[-1].relation == "mutual":
-            chunk = replace(chunk, value="separated")  # "facing each other across a table"
         aided = chunk.value == "in" and self._in_an_aid()
         if aided or self._of_the_room(chunk) or self._of_a_place(chunk, self.at - 2):
             return
@@ -301,15 +299,16 @@ class Relating(About):
             return
         if chunk.value == "amid" and not objects:
             objects = self._meant("them", chunk.value)
+        in_the_room = chunk.value in ("in", "on", "by", "around", "flank") and place_in(objects[:1], "room", "floor")
         if not objects and chunk.value not in small.ALONE:
             self._understood(*[chunk] * (chunk.value in ("in", "by") and self._ahead().kind in small.OF_THE_ROOM))
-        elif self._is_room(chunk, objects) or (chunk.value == "stacked" and [m.count for m in subjects] == [1]):
+        elif in_the_room or (chunk.value == "stacked" and [m.count for m in subjects] == [1]):
             self._understood(chunk)
             self.broken = True
         elif chunk.value in REVERSED:
             self._reversed(chunk, subjects, objects)
-        elif not subjects and (named := self._fronted_things()):
-            self._link(chunk, named, objects)  # "on the desk in the corner stands a lamp"
+        elif not subjects and self.fronted is not None and not self.group and (led := mentions(self.fronted[1][:1])):
+            self._link(chunk, led, objects)  # "on the desk in the corner stands a lamp"
         elif not subjects and self._of_a_zone(first - 1):
             self._put_zone(chunk, objects)
         elif not subjects or (objects and self._turned_round(first, self.at)):
@@ -339,11 +338,6 @@ class Relating(About):
             self.zone.place = place
         elif self.zone is not None and self.zone.place is not None and self.zone.place[1] == place[1]:
             self._understood(chunk)  # said again
-
-    def _fronted_things(self) -> list[Mention]:
-        """Return the thing that a relation before this one leads to, while nothing stands there yet."""
-        to = self.fronted[1] if self.fronted is not None and not self.group else []
-        return mentions(to[:1])
 
     def _in_an_aid(self) -> bool:
         """Note the body of "a person in a wheelchair", "an elderly person with a walker"."""
@@ -402,15 +396,12 @@ class Relating(About):
             self.targets.append(Mention(tables[-1]))
         return True
 
-    def _is_room(self, chunk: Chunk, objects: Sequence[Mention | Place]) -> bool:
-        """Return whether a relation only says that a thing is in the room."""
-        there = place_in(objects[:1], "room", "floor") is not None
-        return there and chunk.value in ("in", "on", "by", "around", "flank")
-
     def _reversed(self, chunk: Chunk, subjects: list[Mention], objects: Sequence[Mention | Place]) -> None:
         """Link what is said from the other side: "flanked by two lamps"."""
         moved = mentions(objects)
-        while chunk.value in ("holds", "flanked") and self._another():
+        while chunk.value in ("holds", "flanked") and self._ahead().kind == "and" and (also := self._ahead(1).noun):
+            if not also.category.on_object and self._ahead(2).kind not in ("", "stop"):
+                break
             self.at += 2
             moved.append(self._mention(self._ahead(-1)))
         if chunk.value == "flanked" and self._ahead().value in ("left", "right"):
@@ -419,18 +410,11 @@ class Relating(About):
             self._understood(chunk)
         elif moved and subjects:
             named = Chunk("rel", chunk.start, chunk.end, REVERSED[chunk.value])
-            for mention in moved:
-                if chunk.value == "holds" and len(subjects) == 1 and subjects[0].det == "each":
-                    mention.thing.times = subjects[0].thing.count
             each = chunk.value == "holds" and subjects[0].det == "each"  # "each holding a lamp and a clock"
             for together in [[mention] for mention in moved] if each else [moved]:
                 self._link(named, together, list(subjects))
             held = chunk.value == "holds" and self._ahead().kind == "rel" and self._ahead().value != "on"
             self.group = self.acted = list(subjects) if held else moved  # "a shelf full of toys along the wall"
-
-    def _another(self) -> bool:
-        noun = self._ahead(1).noun if self._ahead().kind == "and" else None
-        return noun is not None and (noun.category.on_object or self._ahead(2).kind in ("", "stop"))
 
 
 def _over_or_under(relation: str, item: Mention | Place) -> bool:

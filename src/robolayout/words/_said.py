@@ -191,11 +191,6 @@ def same(thing: Thing, chunk: Chunk) -> bool:
     return thing.noun.kind == chunk.noun.kind
 
 
-def more_of(thing: Thing, chunk: Chunk) -> bool:
-    """Return whether a plural names other things than one that is like them: "a high chair and chairs"."""
-    return chunk.plural and thing.count == 1
-
-
 def same_words(thing: Thing, chunk: Chunk) -> bool:
     """Return whether a noun phrase has the very noun of a thing named before."""
     return chunk.noun is not None and thing.noun.said == chunk.noun.said
