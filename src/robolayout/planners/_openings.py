@@ -79,7 +79,7 @@ def with_openings(room: Room, wishes: Wishes, wide: float, rng: np.random.Genera
 def _wanted(reading: Reading, kind: str, usual: int, most: int) -> list[Wanted]:
     """Return the doors or windows that a text asks for, else as many as usual, as far as it speaks of "the" one or of several."""
     walls, found = grammar().walls, list[Wanted]()
-    for place, span in ((place, span) for place, span in reading.parsed.openings if place.name == kind):
+    for place, span in (one for one in reading.parsed.openings if one[0].name == kind):
         wall = next((walls[word] for word in place.words if walls.get(word) in COMPASS), "")
         large = {"large", "big", "wide", "huge"} & set(reading.span(*span).lower().split())
         found.append(Wanted(min(place.number or (2 if place.plural else 1), 8), wall, bool(large)))

@@ -99,8 +99,12 @@ class Wishes:
     @cached_property
     def kinds(self) -> Mapping[str, Category]:
         """All kinds of things, those of the user's own too, as they were first asked for: other words, other sizes."""
-        asked = [self.as_wished(thing) for thing in self.reading.parsed.things]
-        return {**self.lexicon.kinds, **{kind.name: kind for kind in reversed(asked)}}
+        return {**self.lexicon.kinds, **{kind.name: kind for kind in reversed(self.asked.values())}}
+
+    @cached_property
+    def asked(self) -> dict[Thing, Category]:
+        """The kind of each thing that is named, with its name and size, and as it is where it is asked to be."""
+        return {thing: self._as_wished(thing) for thing in self.reading.parsed.things}
 
     @property
     def times_usual(self) -> float:
@@ -138,8 +142,7 @@ class Wishes:
 
     def told(self, name: str) -> list[Thing]:
         """Return what was asked for of a category, once for each of it: "a low table and two high ones" are three."""
-        things = (thing for thing in self.reading.parsed.things if self._shown(thing) == name)
-        return [thing for thing in things for _ in range(thing.count)]
+        return [thing for thing, kind in self.asked.items() if kind.name == name for _ in range(thing.count)]
 
     @property
     def general(self) -> frozenset[str]:
@@ -187,7 +190,7 @@ class Wishes:
         name = self.kind(thing)
         return thing.noun.words if thing.noun.kind == name and thing.noun.words not in self.lexicon.kinds else name
 
-    def as_wished(self, thing: Thing) -> Category:
+    def _as_wished(self, thing: Thing) -> Category:
         """Return the kind of a thing with its name and size, and as it is where it is asked to be."""
         name, shown = self.kind(thing), self._shown(thing)
         kind = self.lexicon.kinds[name]

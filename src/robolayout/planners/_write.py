@@ -48,9 +48,8 @@ class Writer:
     asked: Set[str]  # things of which the user's words say where they stand: roles only wish then
     cornered: Set[str]  # those of them with a corner of their own: placed before it is taken
     walled: Set[str]  # those of them whose wall the words leave to them
-    below: Mapping[
-        str, str
-    ]  # what the words hang something above on the wall, and what that is: nothing else hangs there
+    # what the words hang something above on the wall, and what that is: nothing else hangs there
+    below: Mapping[str, str]
 
     def order(self) -> list[str]:
         """Return all assets, what is placed first first: low ranks, big things, and what joins a thing right after it."""

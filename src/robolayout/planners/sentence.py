@@ -137,8 +137,8 @@ def _wished(wishes: Wishes) -> dict[str, int]:
     rows = {head(m.thing.noun.kind) for link in links if link.relation == "rows" for m in link.subjects}
     if (rows & {"chair", "seat", "pew"} or "seat" in map(head, wished)) and "desk" not in heads:
         heads |= {"desk", "chair"}  # an audience sits before a board, at no desks
-    seated = [link for link in links if link.relation in ("with", "around")]
-    at_tables = (link for link in seated if any(to.noun.kind.endswith("table") for to in named(link.objects)))
+    about = (link for link in links if link.relation in ("with", "around"))
+    at_tables = (link for link in about if any(to.noun.kind.endswith("table") for to in named(link.objects)))
     sat = (m.thing for link in at_tables for m in link.subjects)
     if 2 * sum(thing.count for thing in sat if head(thing.noun.kind) == "chair") >= room.people:
         heads |= {"desk"} if "student desk" in room.person else set()  # the pupils sit at tables
@@ -290,7 +290,7 @@ def _assets(found: Understanding, wishes: Wishes, style: str, rng: np.random.Gen
         scale, told = 1.0 + 0.06 * float(rng.uniform(-1, 1)), wishes.told(kind.name)
         for index in range(count):
             thing = told[index if index < len(told) else 0] if told else None
-            usual = kind.size if thing is None else wishes.as_wished(thing).size
+            usual = kind.size if thing is None else wishes.asked[thing].size
             d, w, h = (round(max(0.01, value * (scale if kind.on_floor else 1.0)), 3) for value in usual)
             for measure in thing.sizes if thing is not None else ():
                 d, w, h = measure.on((d, w, h))

@@ -353,19 +353,19 @@ def _opened(
     judge, brief = make_judge(scene, program), (config or SolverConfig()).at("quick")
     ways = tuple(islice(_ways(scene, program, best), FLOW.most_ways))
 
-    def looks(found: Solution) -> tuple[float, int]:
+    def rank(found: Solution) -> tuple[float, int]:
         return found.verdict.merit, sum(askew(scene.room, pose.yaw) != 0.0 for pose in found.layout.values())
 
-    before = looks(best)[1]
+    before = rank(best)[1]
     for built in (best.layout, None) if len(program.guesses) < len(scene.assets) else (None,):
         problems = [
             compile_problem(scene, way, seed=seed, pinned=pinned, built=built, attempts=FLOW.again) for way in ways
         ]
-        ranked = sorted(((judge(one.guess).promise, i) for i, one in enumerate(problems)))[: FLOW.solved_ways]
+        ranked = sorted((judge(one.guess).promise, i) for i, one in enumerate(problems))[: FLOW.solved_ways]
         for problem in (problems[i] for amiss, i in ranked if amiss <= best.verdict.promise + FLOW.worse):
             found = solve_with("default", problem, judge, seed=seed, config=brief, progress=progress)
-            best = min(best, found, key=looks)
-            if _said_holds(scene, program, best) and looks(best)[1] <= before:
+            best = min(best, found, key=rank)
+            if _said_holds(scene, program, best) and rank(best)[1] <= before:
                 return best
     return best
 

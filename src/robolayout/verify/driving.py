@@ -229,13 +229,14 @@ class Lattice:
         shape = (int(right - left) + 1, int(top - bottom) + 1)
         self._grid = _Grid(start, heading, cell, (int(left), int(bottom)), shape)
         self._places, self._angle, self._graph = self._grid.places, heading, _graph(self._grid, room, agent)
+        self._sweeps = _swept(agent, heading, cell)
 
     @cached_property
     def _open(self) -> NDArray[np.bool_]:
         """(edges,) which of the empty room's are open as things stand."""
-        sweeps, free = _swept(self._agent, self._angle, self._grid.cell), self._graph.free.copy()
+        free = self._graph.free.copy()
         for ring in shapely.get_coordinates(self._blocking.shapes).reshape(-1, 5, 2)[:, :4]:
-            free[_met(self._grid, sweeps, ring.tobytes())] = False
+            free[_met(self._grid, self._sweeps, ring.tobytes())] = False
         return free[self._graph.needs]
 
     def _links(self, values: NDArray[np.generic]) -> csr_array:
@@ -300,14 +301,14 @@ class Lattice:
         while previous[chain[-1]] >= 0:
             chain.append(int(previous[chain[-1]]))
         chain.reverse()
-        heading, reversals, moves = self._angle, 0, _swept(self._agent, self._angle, self._grid.cell).moves
+        heading, reversals = self._angle, 0
         poses = [(*self._places[chain[0] % count].tolist(), heading)]
         for (before, here), (after, there) in pairwise(divmod(node, count) for node in chain):
             turn = (after - before + TURNS // 2) % TURNS - TURNS // 2
             if here == there and abs(turn) == TURNS // 2:
                 reversals += 1
             else:
-                move = next(m for m in moves[before] if m.turn == turn and any(m.step) == (here != there))
+                move = next(m for m in self._sweeps.moves[before] if m.turn == turn and any(m.step) == (here != there))
                 spots = self._places[here] + move.poses[:, :2] @ self._axes
                 turned = heading + move.poses[:, 2] - ANGLES[before]
                 poses += [(x, y, yaw) for (x, y), yaw in zip(spots.tolist(), turned.tolist(), strict=True)]

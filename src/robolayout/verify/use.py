@@ -224,10 +224,11 @@ class Usage:
     def _stands(self, row: int) -> Iterator[tuple[int, BaseGeometry, frozenset[int]]]:
         """Yield how an asset can be used: number of the approach, where the centre stands, what may have to be moved away."""
         able = [i for i in self._ways.of(row) if self._able[i]]
-        for moved in (False, True):
-            for i in able:
-                for places in self._spots(i, self._opened(row) if moved else self._everywhere):
-                    yield i, places, self._chairs(row) if moved else frozenset()
+        for i in able:
+            yield from ((i, places, frozenset()) for places in self._spots(i, self._everywhere))
+        chairs = self._chairs(row)
+        for i in able:
+            yield from ((i, places, chairs) for places in self._spots(i, self._opened(row)))
 
     def _spots(self, number: int, regions: Iterable[Region]) -> Iterator[BaseGeometry]:
         """Yield where the centre stands at an approach, of these regions."""
@@ -291,8 +292,9 @@ class Usage:
 
     def _places(self, heading: float) -> Iterator[tuple[str, bytes]]:
         """Yield what the body may use at a heading in radians, and from where, as WKB."""
-        touched = shapely.to_wkb(shapely.union(self._ways.zones, self._touching(heading))) if self._touches else None
-        keys = self._keys if touched is None else touched
+        keys = self._keys
+        if self._touches:
+            keys = np.asarray(shapely.to_wkb(shapely.union(self._ways.zones, self._touching(heading))), dtype=object)
         for number in np.flatnonzero(self._able & self._faces(heading)).tolist():
             yield self._found.names[int(self._ways.rows[number])], keys[number]
 
