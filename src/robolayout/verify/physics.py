@@ -16,7 +16,7 @@ import shapely
 from numpy.typing import NDArray
 from shapely import Polygon
 
-from robolayout.scene import OPENINGS, Asset, Layout, Scene
+from robolayout.scene import OPENINGS, Asset, Layout, Room, Scene
 from robolayout.verify._boxes import Boxes, Place, boxes, landings, prisms_at, room_polygon, share, shared_area
 from robolayout.verify.limits import JUDGE
 
@@ -138,11 +138,17 @@ def _obstructions(scene: Scene, found: Boxes) -> tuple[Obstruction, ...]:
 
 
 def _inside(scene: Scene, found: Boxes) -> NDArray[np.bool_]:
-    grown = room_polygon(scene.room).buffer(JUDGE.boundary)
-    shapely.prepare(grown)
     slack = JUDGE.boundary + 1e-9
     height = (found.bottom >= -slack) & (found.top <= scene.room.wall_height + slack)
-    return found.placed & height & shapely.covers(grown, found.footprints)
+    return found.placed & height & shapely.covers(_grown(scene.room), found.footprints)
+
+
+@lru_cache(maxsize=32)
+def _grown(room: Room) -> Polygon:
+    """Return the floor with the slack that a footprint has at its edge."""
+    grown = room_polygon(room).buffer(JUDGE.boundary)
+    shapely.prepare(grown)
+    return grown
 
 
 def _held(scene: Scene, found: Boxes) -> NDArray[np.bool_]:
@@ -157,10 +163,10 @@ def _held(scene: Scene, found: Boxes) -> NDArray[np.bool_]:
     wall = shapely.distance(found.footprints, walls) <= tolerance
     held = found.placed & ((stands & floor) | (on_wall & wall) | (found.ceiling & ceiling))
     while True:  # a step up the trees that grow from floor, walls and ceiling; what no tree carries is not held
-        carried = stands & ~held & (found.held_by(held) >= 0)
-        if not carried.any():
+        carried = [row for row in np.flatnonzero(stands & ~held).tolist() if found.carrier(row, held) >= 0]
+        if not carried:
             return held
-        held |= carried
+        held[carried] = True
 
 
 def _outside_sentence(scene: Scene, found: Boxes, row: int) -> str:
