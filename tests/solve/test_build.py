@@ -8,6 +8,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 
 from robolayout.planners import OfflinePlanner, PlanRequest, scene_from_sentence
@@ -228,3 +229,24 @@ def test_cabinets_hang_where_the_body_reaches_them_over_a_counter_that_stays_a_p
     layout = compile_problem(scene, program).guess
     assert layout[cabinet.name].z - 0.35 >= 0.9 + 0.2 - 1e-6
     assert verify(scene, layout).agents[0].usage.usable[cabinet.name] == reaches
+
+
+def test_what_stands_beside_a_thing_at_a_wall_hides_no_window() -> None:
+    text = "A living room with a fireplace, a piano and bookshelves on both sides of the fireplace"
+    scene, _ = scene_from_sentence(text)
+    program = reconcile(read_program(OfflinePlanner().plan(PlanRequest(scene)), scene), scene).program
+    built = compile_problem(scene, program).guess
+    for wall, window in ((scene.room.walls[one.wall], one) for one in scene.room.windows):
+        for name in ("fireplace-0", "bookshelf-0", "bookshelf-1"):
+            pose, half = built[name], next(one for one in scene.assets if one.name == name).size[1] / 2
+            along, away = (np.array([pose.x, pose.y]) - wall.start) @ np.array([wall.direction, wall.normal]).T
+            apart = abs(along - window.center) >= half + window.width / 2 - 0.1
+            assert away > 0.5 or apart, (name, window)
+
+
+def test_machines_of_a_laundry_stand_side_by_side() -> None:
+    scene, _ = scene_from_sentence("a laundry room with a washing machine and a dryer")
+    program = reconcile(read_program(OfflinePlanner().plan(PlanRequest(scene)), scene), scene).program
+    built = compile_problem(scene, program).guess
+    washer, dryer = built["washing_machine-0"], built["clothes_dryer-0"]
+    assert math.dist((washer.x, washer.y), (dryer.x, dryer.y)) < 0.8

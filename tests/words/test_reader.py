@@ -453,6 +453,25 @@ def test_a_body_is_who_the_room_is_for_and_a_thing_is_what_stands_there() -> Non
     assert [thing.noun.words for thing in hospital.parsed.things] == ["wheelchair"]
 
 
+@pytest.mark.parametrize(
+    ("text", "body"),
+    [
+        ("a wheelchair-accessible bathroom with a shower", "wheelchair"),
+        ("a small accessible bathroom", "wheelchair"),
+        ("a barrier-free kitchen", "wheelchair"),
+        ("a bedroom, wheelchair accessible, with a desk", "wheelchair"),
+        ("a bathroom for a disabled person", "wheelchair"),
+        ("a senior-friendly bedroom", "elder_walker"),
+        ("a cosy cat-friendly living room", "cat"),
+        ("a child-friendly living room", "child_6"),
+        ("a bedroom with an accessible shelf", None),
+        ("a bedroom in which everything is easily accessible", None),
+    ],
+)
+def test_what_is_said_of_a_room_tells_its_body(text: str, body: str | None) -> None:
+    assert read(text).agent == body
+
+
 def test_pets_of_somebody_live_there_too() -> None:
     assert read("a living room for a researcher who has a cat").agent is None
     assert read("a living room for two cats").agent == "cat"

@@ -47,6 +47,7 @@ class Added:
         laid = {mention.thing.noun.kind for link in links for mention in link.subjects}
         borne = {kind for kind in laid if "floor" not in wishes.kinds[kind].places}
         self.spared = wishes.reading.unwanted.union(*map(self._companions, borne))  # their bearer is said
+        self.spared |= self._unseen()
         self.named = self.spared | self.wished.keys()
         self.ceiling = (wishes.reading.measure("height") or (math.inf,))[0]
         self.found: dict[str, int] = {}
@@ -59,7 +60,9 @@ class Added:
             self._go_along(name, count)
         extras = list(self.room.extras.items())
         for name, most in [*self.room.base.items(), *(extras[i] for i in rng.permutation(len(extras)))]:
-            if not self._named(name) and name not in self.found:
+            owners = {other for other in self.room.base if head(name) == "chair" and name in self._companions(other)}
+            owned = not owners or owners & {*self.wished, *self.found}
+            if owned and not self._named(name) and name not in self.found:
                 self._add(name, most)
         self._zones()
         if "ceiling lamp" in self.found:
@@ -69,6 +72,16 @@ class Added:
     def _named(self, name: str) -> bool:
         """Whether a thing was named, like it or not."""
         return name in self.named or name.split()[-1] in self.lasts or self.wishes.head(name) in self.asked
+
+    def _unseen(self) -> set[str]:
+        """Return what nobody looks at where seats face another such thing: a television where the sofa faces the fireplace."""
+        wishes, usual = self.wishes, [*self.room.base, *self.room.extras]
+        links = [link for link in wishes.reading.parsed.links if link.relation in ("facing", "opposite", "front")]
+        pairs = [(one.thing, to.thing) for link in links for one in link.subjects for to in mentions(link.objects)]
+        roles = [(wishes.role(wishes.kind(one)), wishes.role(wishes.kind(to))) for one, to in pairs]
+        faced = {name for one, to in roles if one and to and to.name in one.face.roles for name in one.face.roles}
+        unseen = {name for name in usual if (role := wishes.role(name)) is not None and role.name in faced}
+        return unseen | {name for name in usual if unseen & self._companions(name).keys()}
 
     def _fits(self, group: Mapping[str, int], limit: float) -> bool:
         low = all(self.wishes.kinds[name].size[2] + SPARE <= self.ceiling for name in group)

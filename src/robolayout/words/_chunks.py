@@ -329,7 +329,7 @@ class Chunker(ClosedWords):
         """Return (kind, value, noun) of a phrase that is known as it stands."""
         phrase = " ".join(tail)
         single = phrase.removesuffix("s")
-        if phrase in self.lexicon.bodies and phrase not in ("wheelchair", "rollator", "walker"):
+        if phrase in self.lexicon.bodies and phrase not in ("wheelchair", "rollator", "walker", "accessible"):
             return "body", self.lexicon.bodies[phrase], None
         if phrase in self.lexicon.corners:
             return "corner", self.lexicon.corners[phrase], None

@@ -30,3 +30,4 @@ MOST, STANDING, ROUND, LOUNGE = (_WORDS[name] for name in ("most", "standing", "
 NAMING, SILENT, OF_A_THING, BEFORE_NOUNS = (_WORDS[name] for name in ("naming", "silent", "of_a_thing", "before_nouns"))
 HALVES, COMPASS, REST, AFTER_A_PLACE = (_WORDS[name] for name in ("halves", "compass", "rest", "after_a_place"))
 TABLES, HIGH, LATTER, LEAST_SAID = (_ROWS[name] for name in ("tables", "high", "latter", "least_said"))
+INSTRUMENTS = {*_ROWS["instruments"]}

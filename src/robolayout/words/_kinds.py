@@ -23,8 +23,11 @@ def settle_kinds(parsed: Parsed) -> None:
         if link.relation in ("with", "around") and any(m.thing.head == "chair" for m in link.subjects):
             for mention in mentions(link.objects):
                 mention.thing.sat_at = True
+    music = bool({thing.noun.kind for thing in parsed.things} & small.INSTRUMENTS) and not heads & {"desk", "computer"}
     for thing in parsed.things:
         noun = thing.noun
+        if noun.said == "keyboard" and music:
+            _take(thing, "digital piano")
         if noun.said == "small table" and (alone or thing.sat_at):
             _take(thing, "round table" if alone else "dining table")
             thing.adjectives = (*thing.adjectives, "small")

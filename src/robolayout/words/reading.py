@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from itertools import pairwise
+from itertools import combinations, pairwise
 
 from robolayout._errors import SceneError
 from robolayout.assets import Category
@@ -160,8 +160,11 @@ def read_text(text: str, lexicon: Lexicon) -> Reading:
     guessed = named is not None and named[1].kind == "room"
     rooms = [chunk for chunk in parsed.facts if chunk.kind == "room"]
     bodies = [chunk.value for chunk in parsed.facts if chunk.kind == "body"]
-    for owner in (" ".join(room.adjectives) for room in rooms):  # "a wheelchair user's bathroom"
-        bodies += [lexicon.bodies[who] for who in (owner, owner.removesuffix("s")) if who in lexicon.bodies][:1]
+    for said in (room.adjectives for room in rooms):  # "a wheelchair user's bathroom", "a small barrier-free bathroom"
+        runs = (" ".join(said[begin:end]) for begin, end in combinations(range(len(said) + 1), 2))
+        bodies += [
+            lexicon.bodies[who] for run in runs for who in (run, run.removesuffix("s")) if who in lexicon.bodies
+        ][:1]
     bodies.sort(key=lambda body: LEAST_SAID.index(body) if body in LEAST_SAID else -1)
     people = [c.number for c in parsed.facts if c.kind in ("people", "body") and c.number]
     people += [2 for c in parsed.facts if c.kind == "people" and c.value == "couple"] + [parsed.people]

@@ -11,8 +11,9 @@ from numpy.typing import NDArray
 
 from robolayout.constraints.by_door import doorways
 from robolayout.solve.build.form import corners_of
+from robolayout.solve.build.member import box_of
 from robolayout.solve.build.places import Batch, targets
-from robolayout.solve.build.site import Site, Spot
+from robolayout.solve.build.site import AT_WALL, Site, Spot
 
 Cost = NDArray[np.float64]
 
@@ -53,7 +54,9 @@ def looks(site: Site) -> float:
 
 def _along_walls(site: Site, batch: Batch, weights: Mapping[str, float]) -> Cost:
     """Return the cost of where on its wall a thing stands and what it hides there."""
-    _, width, height = site.size(batch.cluster.anchor)
+    _, width, _ = site.size(batch.cluster.anchor)
+    boxes = [(box_of(m, site.size(m.name)), site.size(m.name)[2]) for m in batch.cluster.members if not m.bottom]
+    beside = [(box[1], box[3], height) for box, height in boxes if box[0] <= boxes[0][0][0] + AT_WALL]
     crown = max(member.bottom + site.size(member.name)[2] for member in batch.cluster.members)
     wished = site.wants[batch.cluster.anchor].walls
     elsewhere = max(wished.values(), default=0.0)
@@ -73,9 +76,12 @@ def _along_walls(site: Site, batch: Batch, weights: Mapping[str, float]) -> Cost
             cover = np.clip(np.minimum(along + half, end) - np.maximum(along - half, start), 0.0, None)
             if kind == "window":
                 lit = np.maximum(lit, cover / width)
-            if kind != "door" and low > 0.1:
-                tall = min(1.0, max(0.0, (height if kind == "window" else crown) - low) / (0.6 * max(high - low, 0.1)))
-                hidden += cover / (end - start) * (tall if kind == "window" else float(tall > 0))
+                for right, left, height in beside:  # a wall goes to the right of what has its back to it
+                    before = np.minimum(along - right, end) - np.maximum(along - left, start)
+                    tall = min(1.0, max(0.0, height - low) / (0.6 * max(high - low, 0.1)))
+                    hidden += tall * np.maximum(before, 0.0) / (end - start)
+            elif kind != "door" and 0.1 < low < crown:
+                hidden += cover / (end - start)
         window = weights.get("at_window", 0.0)
         part += window * (1 - np.minimum(lit * 1.5, 1.0)) if window > 0 else -window * np.minimum(lit * 1.5, 1.0)
         cost[rows] = part + BLOCKED_WINDOW * np.minimum(hidden, 1.0)
