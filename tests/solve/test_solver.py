@@ -12,6 +12,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from benchmarks.rooms import Crowd, crowd
 from benchmarks.rough import measured
 from solve_rooms import (
     BED,
@@ -36,8 +37,8 @@ from robolayout.floor.ground import make_ground
 from robolayout.floor.routes import plan_routes
 from robolayout.program import read_program, reconcile
 from robolayout.run.flow import make_judge, solve
-from robolayout.scene import Asset, Pose, Room, Scene, vertical_span
-from robolayout.solve import Effort, Solver, Verdict
+from robolayout.scene import Asset, Pose, Room, Scene, scene_from_dict, vertical_span
+from robolayout.solve import Effort, Solver, SolverConfig, Verdict, compile_problem
 from robolayout.solve.repair import Repair
 from robolayout.solve.runner import Runner
 from robolayout.solve.stage import make_stage, stages
@@ -327,3 +328,14 @@ def test_a_guess_whose_way_is_blocked_is_opened_and_not_given_up() -> None:
     row = measured("bedroom_crowded", 1)
     assert row["hard_ok"] and not row["short"] and row["met"] > row["guess_met"]
     assert row["moved"] < 0.45, "built anew, everything moves by more than a metre"
+
+
+@pytest.mark.parametrize(("anywhere", "unmet"), [(0, 1), (16, 0)])
+def test_a_statement_that_no_place_near_the_guess_meets_is_met_elsewhere(anywhere: int, unmet: int) -> None:
+    content, text = crowd(Crowd(10, 0.3, 7))
+    scene = scene_from_dict(content)
+    program = reconcile(read_program(text, scene), scene).program
+    problem = compile_problem(scene, program, seed=7)
+    solver = Solver(problem, make_judge(scene, program), SolverConfig(effort=Effort(anywhere=anywhere)), seed=7)
+    verdict = solver.solve().verdict
+    assert not verdict.broken and round(verdict.soft) == unmet

@@ -54,12 +54,13 @@ class Effort:
     nearly: float = 3.0
     # most layouts with one thing built anew that are judged in a row, and four times as many at the end; none leaves it out
     mendings: int = 32
+    anywhere: int = 16  # the same at the end for statements of a guess that is kept, which no place near it meets
 
 
 EFFORTS: Mapping[str, Effort] = {
-    "quick": Effort(300, 40, nearby=8, looked_at=4, put_back=32, built=1, mendings=8),
+    "quick": Effort(300, 40, nearby=8, looked_at=4, put_back=32, built=1, mendings=8, anywhere=4),
     "normal": Effort(),
-    "thorough": Effort(6000, 640, nearby=90, looked_at=8, put_back=128, built=6, nearly=6.0, mendings=96),
+    "thorough": Effort(6000, 640, nearby=90, looked_at=8, put_back=128, built=6, nearly=6.0, mendings=96, anywhere=32),
 }
 """The schedules by name."""
 

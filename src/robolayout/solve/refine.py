@@ -62,8 +62,7 @@ class Solver:
         for stage in self.stages:
             self.phase = self.made_by
             self._stage(stage.at(self.world))
-        if self.verdict.broken:
-            self._repair()
+        self._repair()
         self._restore()
         return Solution(self.problem.layout(self.world), self.verdict, self.made_by, self.runner.trace())
 
@@ -281,10 +280,13 @@ class Solver:
             turn = 0 if self._judged(world, self.verdict.worth) else turn + 1
 
     def _repair(self) -> None:
-        """Place what is to blame anew for longer, now that all stages are there."""
-        self._say("repair")
-        self.gained, self.number = self.judgements, len(self.stages) - 1
-        self._mend(4 * self.effort.mendings)
+        """Place what is to blame anew for longer, now that all stages are there; statements of a guess that is kept get a few tries."""
+        kept = bool(self.problem.guessed) and not self.blind
+        most = 4 * self.effort.mendings if self.verdict.broken else self.effort.anywhere if kept else 0
+        if most and not self.verdict.ok:
+            self._say("repair")
+            self.gained, self.number = self.judgements, len(self.stages) - 1
+            self._mend(most)
 
     def _restore(self) -> None:
         """Put back where it was at first what was moved without need, if that is worth anything, and square what is askew."""
