@@ -65,7 +65,7 @@ def without_noun(
         return replace(two[LATTER.index(picks) - 2], start=at, end=end, det="the", adjectives=()) if two[1:] else None
     new = bool(counted) or words[at] in ("a", "an", "another")
     told = told or ""
-    nouns = [c for c in found if c.kind in ("thing", "part") and (new or _of_several(c))]
+    nouns = [c for c in found if c.kind in ("thing", "part") and (new or told in c.adjectives or _of_several(c))]
     nouns = [c for c in nouns if not told or c.plural or c.number or c.kind == "thing"]  # "the upper one" is no corner
     led = [c for before, c in pairwise(found) if before.kind == "rel" and c in nouns]
     alike = [c for c in nouns if c.noun is not None and told in (*c.adjectives, *c.noun.said.split())]

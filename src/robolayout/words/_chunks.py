@@ -44,9 +44,18 @@ class Chunker(ClosedWords):
             put = bool(found) and found[-1].kind == "verb" and found[-1].value in PLACING  # "place a bar at the back"
             if chunk.kind == "room" and (put or any(c.kind == "room" and c.value != chunk.value for c in found)):
                 chunk = self._in_room(chunk)
-            found.append(without_noun(self.words, at, found, self._run) or chunk)
+            found.append(self._reshaped(without_noun(self.words, at, found, self._run)) or chunk)
             at = found[-1].end
         return found
+
+    def _reshaped(self, chunk: Chunk | None) -> Chunk | None:
+        """Return a phrase without a noun whose noun is not of the shape that it tells: "a round table and a square one"."""
+        if chunk is None or chunk.noun is None:
+            return chunk
+        told, words = {*chunk.adjectives}, chunk.noun.said.split()
+        other = any(group & told and group & {*words} - told for group in self.grammar.exclusive)
+        noun = self.lexicon.noun([*chunk.adjectives, words[-1]]) if other else None
+        return replace(chunk, noun=noun) if noun else chunk
 
     def _in_room(self, chunk: Chunk) -> Chunk:
         """Return a further room as a thing of the first, where its name is one: "a studio with a kitchenette"."""
@@ -64,7 +73,34 @@ class Chunker(ClosedWords):
             return Chunk("rel" if gap else "measure", at, end, measure.kind if gap else "", measure=measure)
         if self.words[at] in MARKS:
             return Chunk(MARKS[self.words[at]], at, at + 1, self.words[at])
-        return self._role(at) or self._fixed(at) or self._noun_phrase(at) or self._single(at)
+        shared = self._role(at) or self._fixed(at) or self._noun_later(at)
+        return shared or self._noun_phrase(at) or self._single(at)
+
+    def _noun_later(self, at: int) -> Chunk | None:
+        """Return a phrase that shares the noun of the next one: "a blue and a red chair", "one large and two small desks"."""
+        end = first = at + 1
+        while any(self._word(end) in words for words in (self.grammar.styles, self.grammar.sizes)):
+            end += 1
+        end = max(end, first + self._sizes(first))
+        begins = end + 1 + (self._word(end) == "," and self._word(end + 1) == "and")
+        joined = end > first and self._word(end) in ("and", ",") and self._leads(at) and self._leads(begins)
+        chunk = (self._noun_later(begins) or self._noun_phrase(begins)) if joined else None
+        if chunk is None or chunk.noun is None or self.lexicon.noun(self.words[first:end]):
+            return None
+        *more, head = chunk.noun.said.split()
+        if not (more or chunk.adjectives or chunk.sizes):
+            return None
+        det, number = small.DETERMINERS.get(self.words[at], ""), count_of(self.words[at])
+        number, own = None if det else number, self.lexicon.noun([*self.words[first:end], head])
+        same = replace(chunk, start=at, end=end, det=det, number=number, plural=(number or 1) > 1)
+        return replace(same, noun=own, adjectives=(), sizes=()) if own else self._told(same, range(first, end), ())
+
+    def _told(self, chunk: Chunk, sized: Sequence[int], adjectives: Sequence[str]) -> Chunk:
+        """Return a phrase with measures and adjectives at some places, before some more."""
+        inner = {k for j in sized if j in self.measured for k in range(j, self.after[j])}
+        words = tuple(self.words[j] for j in sized if j not in inner)
+        sizes = tuple(self.measured[j] for j in sized if j in self.measured)
+        return replace(chunk, sizes=sizes, adjectives=(*words, *adjectives))
 
     def _role(self, at: int) -> Chunk | None:
         """Return what a thing is to serve as ("as an island"), or how many a table seats: neither is one more thing."""
@@ -139,11 +175,7 @@ class Chunker(ClosedWords):
         chunk = replace(chunk, total=total) if chunk and total else chunk
         if not sized or chunk is None:
             return chunk
-        inner = {k for j in sized if j in self.measured for k in range(j, self.after[j])}
-        adjectives = tuple(self.words[j] for j in sized if j not in inner)
-        sizes = tuple(self.measured[j] for j in sized if j in self.measured)
-        same = replace(chunk, sizes=sizes, adjectives=(*adjectives, *chunk.adjectives))
-        return same if chunk.kind == "thing" else None
+        return self._told(chunk, sized, chunk.adjectives) if chunk.kind == "thing" else None
 
     def _sizes(self, i: int) -> int:
         """Return how many words from here on say how large what follows is: "wooden 6-foot", "1 m wide, 2 m high"."""
@@ -214,7 +246,8 @@ class Chunker(ClosedWords):
         while i < len(self.words) and len(run) < LONGEST + 2:
             word = self.words[i]
             pair = self.words[i - 1 : i] + self.words[i + 1 : i + 2]
-            both = word == "and" and bool(run) and all(side in self.grammar.walls for side in pair)
+            alike = (self.grammar.walls, (*self.grammar.styles, *self.grammar.sizes))
+            both = word == "and" and bool(run) and any(all(one in words for one in pair) for words in alike)
             stops = i in self.measured or word[0].isdecimal() or word in (*MARKS, *small.WITH, *small.REFUSING)
             stops = stops or (word in small.JOINING and not both)  # "the left and right walls"
             of_it = bool(run) and self.lexicon.noun([run[-1], *self.words[i : i + 2]]) is not None  # "chest of drawers"

@@ -14,6 +14,7 @@ from robolayout.words._said import (
     Mention,
     Place,
     Thing,
+    differs,
     mentions,
     named,
     same,
@@ -118,6 +119,8 @@ class References(Spoken):
         more = [t for t in fits if bare and chunk.plural and t.count == 1]  # "a high chair and chairs"
         fits = [t for t in fits if not (chunk.rows and t in more)]
         fits = [t for t in fits if same_words(t, chunk)] or [t for t in fits if t not in more]
+        fits = [t for t in fits if not differs(t, chunk)]
+        fits = [t for t in fits if {*chunk.adjectives} & {*t.adjectives, *t.told}] or fits
         last, number = fits[-1] if fits else None, chunk.number
         if last is None or not self._has_so_many(last, chunk.det):
             return None

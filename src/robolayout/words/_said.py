@@ -6,9 +6,9 @@ from collections.abc import Iterable, Set
 from dataclasses import dataclass, field
 
 from robolayout.assets import Category
-from robolayout.assets.palette import LOOKS
+from robolayout.assets.palette import COLORS, LOOKS
 from robolayout.words._chunk import Chunk
-from robolayout.words._lexicon import Noun
+from robolayout.words._lexicon import Noun, grammar
 from robolayout.words._tokens import Measure
 
 ONE_EACH = ("chair", "desk")
@@ -194,6 +194,14 @@ def same(thing: Thing, chunk: Chunk) -> bool:
 def same_words(thing: Thing, chunk: Chunk) -> bool:
     """Return whether a noun phrase has the very noun of a thing named before."""
     return chunk.noun is not None and thing.noun.said == chunk.noun.said
+
+
+def differs(thing: Thing, chunk: Chunk) -> bool:
+    """Return whether a colour or a size of a noun phrase excludes that of a thing: "the red chair" is no blue one."""
+    said, new, sizes = {*thing.adjectives, *thing.told}, {*chunk.adjectives}, grammar().sizes
+    sized = (zip(sizes[a], sizes[b], strict=True) for a in said & sizes.keys() for b in new & sizes.keys())
+    opposed = any((a - 1) * (b - 1) < 0 for pair in sized for a, b in pair)
+    return opposed or bool(said & COLORS.keys() and new & COLORS.keys() and not said & new)
 
 
 def laid(mention: Mention) -> bool:
