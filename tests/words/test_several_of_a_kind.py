@@ -60,3 +60,36 @@ def test_what_is_named_again_is_what_looks_as_it_is_said(text: str, index: int) 
 def test_what_a_relation_leads_to_is_another_thing_where_its_look_excludes_the_first() -> None:
     (link,) = read("a rug between a red chair and a blue chair").parsed.links
     assert [item.thing.look for item in link.objects if isinstance(item, Mention)] == [("red",), ("blue",)]
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("two bookshelves, a tall one and a low one, side by side", [(1, "tall", "bookshelf"), (1, "low", "bookshelf")]),
+        ("two chairs: one red and one blue", [(1, "red", "chair"), (1, "blue", "chair")]),
+        ("two blue chairs, one large and the other small", [(1, "large blue", "chair"), (1, "small blue", "chair")]),
+        ("Two chairs stand by the window. One is red, the other is blue.", [(1, "red", "chair"), (1, "blue", "chair")]),
+        ("three desks: two small ones and a large one", [(2, "small", "desk"), (1, "large", "desk")]),
+        ("three shelves (one tall, two low)", [(1, "tall", "shelving unit"), (2, "low", "shelving unit")]),
+        ("chairs, two red ones and a blue one", [(2, "red", "chair"), (1, "blue", "chair")]),
+        ("two beds: a crib and a bunk bed", [(1, "", "crib"), (1, "", "bunk bed")]),
+        ("four seats: a sofa, two armchairs and a bench", [(1, "", "sofa"), (2, "", "armchair"), (1, "", "bench")]),
+        ("two armchairs, one of them red", [(1, "", "armchair"), (1, "red", "armchair")]),
+        ("two sofas, one by the window and one by the door", [(2, "", "sofa")]),
+        ("two chairs, an office chair and an armchair", [(2, "", "chair"), (1, "", "office chair"), (1, "", "armchair")]),
+        ("two shelves: a vase and a clock", [(2, "", "shelving unit"), (1, "", "vase"), (1, "", "wall clock")]),
+    ],
+)  # fmt: skip
+def test_what_lists_as_many_as_were_counted_says_what_each_of_them_is(text: str, said: Told) -> None:
+    assert told(text) == said
+
+
+def test_each_of_what_is_listed_stands_where_it_is_said_to() -> None:
+    parsed = read("two desks, a large one by the window with a lamp on it and a small one in the corner").parsed
+    at = [(k.relation, k.subjects[0].thing.noun.words, k.subjects[0].thing.adjectives) for k in parsed.links]
+    assert at == [("by", "desk", ("large",)), ("on", "table lamp", ()), ("in", "desk", ("small",))]
+
+
+def test_where_several_stand_is_true_of_all_that_are_told_apart_later() -> None:
+    (link,) = read("Two chairs stand by the window. One is red and the other is blue.").parsed.links
+    assert [mention.thing.look for mention in link.subjects] == [("red",), ("blue",)]

@@ -1,12 +1,12 @@
 """Sentences and criteria as rows: what is asked, what it asks of a scene, and whether a layout meets it."""
 
-from robolayout.words._lexicon import Lexicon, dressing, grammar
+from robolayout.words._lexicon import KIN, Lexicon, dressing, grammar
 from robolayout.words._places import COMPASS, walls_meant
 from robolayout.words._said import Link, Mention, Place, Thing, mentions, named
 from robolayout.words._tokens import Measure
 from robolayout.words._ways import visits
 from robolayout.words.demands import Demand
-from robolayout.words.ledger import KIN, AskedRow, Wishes, read_words, share_met
+from robolayout.words.ledger import AskedRow, Wishes, read_words, share_met
 from robolayout.words.reading import Reading, read_text, sized
 from robolayout.words.rooms import Rooms, RoomType, read_rooms
 

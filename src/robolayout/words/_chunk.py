@@ -70,7 +70,8 @@ def without_noun(
     led = [c for before, c in pairwise(found) if before.kind == "rel" and c in nouns]
     alike = [c for c in nouns if c.noun is not None and told in (*c.adjectives, *c.noun.said.split())]
     leads = [c.kind for c in found[-1:]] == ["rel"] and [c.value for c in found[-2:-1]] != ["one"]
-    last = (alike or [c for c in nouns if (c in led) == leads] or nouns or [None])[-1]
+    again = [c for c in nouns if new and told and sum(c.noun is other.noun for other in found) > 1]  # "and a low one"
+    last = (alike or again or [c for c in nouns if (c in led) == leads] or nouns or [None])[-1]
     many = " ones " in match.group() or picks in ("others", "rest", "other half")
     many = many or bool(but or (number and count_of(number) != 1))
     det = "one" if but else "new" if new and picks else DETERMINERS.get(picks or "", "new" if new else "the")

@@ -19,17 +19,13 @@ from robolayout.words import _judged as as_row
 from robolayout.words._chunk import Chunk
 from robolayout.words._demander import Demander
 from robolayout.words._judged import Finding, Furnished, Row, Verdict, met
-from robolayout.words._lexicon import Lexicon, grammar, plain
+from robolayout.words._lexicon import KIN, Lexicon, grammar, plain
 from robolayout.words._places import openings
 from robolayout.words._said import Link, Place, Thing, mentions, place_in
 from robolayout.words._tokens import Measure
 from robolayout.words.demands import Demand
 from robolayout.words.reading import Reading, read_text
 from robolayout.words.rooms import read_rooms
-
-_KIN = "crib bed, cot bed, cradle bed, loveseat sofa, couch sofa, settee sofa, recliner armchair, chandelier lamp"
-KIN = {thing: other for thing, other in (pair.split() for pair in _KIN.split(", "))}
-"""Things that stand for another that they are not named after."""
 
 
 @dataclass(frozen=True)

@@ -9,6 +9,7 @@ from itertools import combinations, pairwise
 from robolayout._errors import SceneError
 from robolayout.assets import Category
 from robolayout.assets.palette import STYLED, WOODS
+from robolayout.words._appositions import described
 from robolayout.words._chunk import Chunk
 from robolayout.words._chunks import PLACING, Chunker
 from robolayout.words._function_words import AFTER_A_PLACE, LEAST_SAID, YOUNG
@@ -152,7 +153,7 @@ def read_text(text: str, lexicon: Lexicon) -> Reading:
     """
     read = text[:LONGEST]
     words = tokens(read)
-    chunks = Chunker(words, measures(read), lexicon).chunks()
+    chunks = described(Chunker(words, measures(read), lexicon).chunks())
     named = _place_named(chunks, words)
     if named is not None:
         chunks[named[0]] = named[1]
