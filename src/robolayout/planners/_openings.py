@@ -10,7 +10,7 @@ import numpy as np
 from robolayout.assets import Category
 from robolayout.planners._wishes import Wishes
 from robolayout.scene import Opening, Room
-from robolayout.words import COMPASS, Place, Reading, grammar, walls_meant
+from robolayout.words import COMPASS, Place, Reading, grammar, sides, walls_meant
 
 
 @dataclass(frozen=True)
@@ -37,13 +37,22 @@ class Openings:
 OPENINGS = Openings()
 
 
+ANY = Place("wall")
+"""Any wall."""
+
+
 @dataclass(frozen=True)
 class Wanted:
     """Doors or windows that are asked for."""
 
     count: int  # how many
-    wall: str = ""  # "north", "south", "east", "west", or "" where it does not matter
+    wall: Place = ANY  # the walls that it may be in
     large: bool = False  # whether large ones are asked for
+
+    @property
+    def told(self) -> bool:
+        """Whether a wall is said."""
+        return bool(self.wall.words or self.wall.by)
 
 
 def with_openings(room: Room, wishes: Wishes, wide: float, rng: np.random.Generator, *, varied: bool) -> Room:
@@ -57,9 +66,10 @@ def with_openings(room: Room, wishes: Wishes, wide: float, rng: np.random.Genera
     along = float(rng.random()) if varied else float(rng.random() < 0.5)
     asked = _wanted(wishes.reading, "door", 1 + int(room.area / OPENINGS.door_each), OPENINGS.most_doors)
     full, doors = _held(room, wishes, 0.0), list[Opening]()
+    lit = {i for wanted in _wanted(wishes.reading, "window", 1, 1) if wanted.told for i in _meant(room, wanted.wall)}
     for number, item in enumerate(i for i in asked for _ in range(i.count)):
         fits = [i for i in order if room.walls[i].length > wide and i not in {d.wall for d in doors}] or order
-        fits = [i for i in fits if i not in full] or fits
+        fits = [i for i in fits if i not in full | lit] or [i for i in fits if i not in full] or fits
         start = fits.index(usual) if usual in fits and not number else 0
         wall = _wall(room, item.wall, fits[start:] + fits[:start])
         spare = room.walls[wall].length - wide
@@ -78,12 +88,18 @@ def with_openings(room: Room, wishes: Wishes, wide: float, rng: np.random.Genera
 
 def _wanted(reading: Reading, kind: str, usual: int, most: int) -> list[Wanted]:
     """Return the doors or windows that a text asks for, else as many as usual, as far as it speaks of "the" one or of several."""
-    walls, found = grammar().walls, list[Wanted]()
+    found = list[Wanted]()
     for place, span in (one for one in reading.parsed.openings if one[0].name == kind):
-        wall = next((walls[word] for word in place.words if walls.get(word) in COMPASS), "")
+        walls = [(*words.split(),) for words in " ".join(place.words).split(" and ")]
         large = {"large", "big", "wide", "huge"} & set(reading.span(*span).lower().split())
-        found.append(Wanted(min(place.number or (2 if place.plural else 1), 8), wall, bool(large)))
+        count = min(place.number or (2 if place.plural else 1), 8)
+        for i, words in enumerate(walls):  # "windows in the north and west walls"
+            share = max(count * (i + 1) // len(walls) - count * i // len(walls), 1)
+            found.append(Wanted(share, replace(place, words=words), bool(large)))
     objects = [o for link in reading.parsed.links for o in link.objects if isinstance(o, Place)]
+    told = {(sides(o),): o for o in objects if o.name == kind and sides(o)}
+    there = {word for wanted in found for word in wanted.wall.words}
+    found += [Wanted(o.number or 1, o) for o in told.values() if not {*sides(o)} & there]
     spoken = [o for o in (*objects, *(o.by[1] for o in objects if o.by)) if o.name == kind and not o.words]
     several = any(o.plural for o in spoken)
     one = not several and any(o.det == "the" for o in spoken)
@@ -127,24 +143,34 @@ def _aside(room: Room, wall: int, along: float, wishes: Wishes, full: Set[int]) 
 
 def _windows(room: Room, free: list[int], asked: Sequence[Wanted], rng: np.random.Generator) -> Iterator[Opening]:
     """Yield the windows, in two of the free walls, which are outer ones, where no wall is said."""
-    outer = (free[: int(rng.integers(1, 3))] if len(asked) == 1 and not asked[0].wall else free) or [0]
+    outer = (free[: int(rng.integers(1, 3))] if len(asked) == 1 and not asked[0].told else free) or [0]
     by_wall: dict[int, list[Wanted]] = {}
     for turn, wanted in enumerate(i for i in asked for _ in range(i.count)):
         by_wall.setdefault(_wall(room, wanted.wall, outer[turn % len(outer) :] + outer), []).append(wanted)
     for wall, items in by_wall.items():
-        share = room.walls[wall].length / len(items)
-        middle = float(rng.choice([0.35, 0.5, 0.65])) if len(items) == 1 and not items[0].wall else 0.5
+        begin, end = _stretch(room, wall)
+        share = (end - begin) / len(items)
+        middle = float(rng.choice([0.35, 0.5, 0.65])) if len(items) == 1 and not items[0].told else 0.5
         for number, item in enumerate(items):
             width, height = OPENINGS.large if item.large else OPENINGS.usual
             sill = min(0.9, max(room.wall_height - height - OPENINGS.lintel, 0.0))
             height = round(min(height, room.wall_height - sill - OPENINGS.lintel), 2)
             width = round(min(width, share * (OPENINGS.most_of_a_wall if len(items) == 1 else 0.7)), 2)
-            yield Opening(wall, round(number * share + (share - width) * middle, 2), width, height, sill)
+            yield Opening(wall, round(begin + number * share + (share - width) * middle, 2), width, height, sill)
 
 
-def _wall(room: Room, word: str, order: Sequence[int]) -> int:
-    """Return the first of some walls that is meant by a word, any for ""; the first of all that it means where none of them is."""
-    meant = _meant(room, Place("wall", (word,)))
+def _stretch(room: Room, wall: int) -> tuple[float, float]:
+    """Return the ends of the longest part of a wall in which no door is."""
+    doors = sorted(
+        (d.offset - OPENINGS.aside, d.offset + d.width + OPENINGS.aside) for d in room.doors if d.wall == wall
+    )
+    ends = [0.0, *(end for door in doors for end in door), room.walls[wall].length]
+    return max(zip(ends[::2], ends[1::2], strict=True), key=lambda part: part[1] - part[0])
+
+
+def _wall(room: Room, place: Place, order: Sequence[int]) -> int:
+    """Return the first of some walls that a place may mean; the first of all that it means where none of them is one."""
+    meant = _meant(room, place)
     return next((i for i in order if i in meant), meant[0])
 
 

@@ -2,7 +2,7 @@
 
 from robolayout.words._lexicon import KIN, Lexicon, dressing, grammar
 from robolayout.words._places import COMPASS, walls_meant
-from robolayout.words._said import Link, Mention, Place, Thing, mentions, named
+from robolayout.words._said import Link, Mention, Place, Thing, mentions, named, sides
 from robolayout.words._tokens import Measure
 from robolayout.words._ways import visits
 from robolayout.words.demands import Demand
@@ -33,6 +33,7 @@ __all__ = [
     "read_text",
     "read_words",
     "share_met",
+    "sides",
     "sized",
     "visits",
     "walls_meant",

@@ -388,7 +388,7 @@ class Chunker(ClosedWords):
     def _single(self, at: int) -> Chunk:
         """Return a word that is part of nothing larger."""
         word = self.words[at]
-        if word in small.COMPASS and self._word(at - 1) in ("facing", "faces", "face"):
+        if word in small.COMPASS and self._word(at - 1) in ("facing", "faces", "face", "the"):
             return Chunk("part", at, at + 1, "wall", det="the", adjectives=(word,))
         if word[0].isdecimal() and self.words[at + 1 : at + 2] and self.words[at + 1] in small.SCALES:
             return Chunk("other", at, at + 2, word)  # "a 65 inch TV"

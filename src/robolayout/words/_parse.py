@@ -15,7 +15,7 @@ from robolayout.words._chunk import NOTHING, Chunk
 from robolayout.words._leftover import leftover
 from robolayout.words._lexicon import grammar
 from robolayout.words._relations import AIDS, Relating
-from robolayout.words._said import Link, Mention, Parsed, Place, mentions, place_of, same, several, topped
+from robolayout.words._said import Link, Mention, Parsed, Place, mentions, place_of, same, several, sides, topped
 from robolayout.words._tokens import count_of
 from robolayout.words._ways import SEATS, TOPS
 
@@ -366,9 +366,12 @@ class Parser(Relating):
     def _on_opening(self, chunk: Chunk) -> None:
         """A door or window: it is asked for where a wall is told, or a number, or "a"."""
         at = self.fronted[1][0] if self.fronted is not None and self.fronted[1] and not self.group else None
-        walls = self._opening_walls() or (at.words if isinstance(at, Place) and at.name == "wall" else ())
-        if walls or self.holder or chunk.number or chunk.det == "a":
-            self.said.openings.append((replace(place_of(chunk), words=walls), (chunk.start, self._ahead(-1).end)))
+        wall = self._opening_wall() or (
+            at if isinstance(at, Place) and at.name == "wall" else Place("wall", sides(chunk))
+        )
+        if wall.words or wall.by or self.holder or chunk.number or chunk.det == "a":
+            place = replace(place_of(chunk), words=wall.words, by=wall.by)
+            self.said.openings.append((place, (chunk.start, self._ahead(-1).end)))
 
     def _on_surface(self, chunk: Chunk) -> None:
         """A wall or the floor: how it looks, that it stays free, what it has ("the north wall has a sofa")."""
@@ -392,15 +395,20 @@ class Parser(Relating):
         elif not coloured:
             self.said.missed.append(chunk)
 
-    def _opening_walls(self) -> tuple[str, ...]:
-        """Return the words of a wall that follows: "in the south wall"."""
+    def _opening_wall(self) -> Place | None:
+        """Return the wall that a door or window is in, if it is said: "in the south wall", "to the south", "opposite the door"."""
         more = 0
-        while self._ahead(more).kind in ("verb", "filler"):
+        while self._ahead(more).kind in ("verb", "filler", "rel"):
             more += 1
-        if self._ahead(more).kind != "rel" or self._ahead(more + 1).value != "wall":
-            return ()
-        self.at += more + 2
-        return self._ahead(-1).adjectives
+        at, how = self._ahead(more), self._ahead(more - 1).value
+        if how in ("left", "right") and at.kind not in ("thing", "part", "pron"):
+            self.at += more
+            return Place("wall", (how,))
+        across = how == "opposite" and at.value in ("window", "door")
+        if not (across or (more and (at.value == "wall" or (at.value == "side" and sides(at))))):
+            return None
+        self.at += more + 1
+        return Place("wall", by=(how, place_of(at))) if across else self._which_wall(place_of(at))
 
 
 def _accessory(mention: Mention) -> bool:

@@ -10,7 +10,7 @@ from robolayout.constraints.corner import convex_corners
 from robolayout.scene import Asset, Opening, Room, Scene, Wall
 from robolayout.words import _ways as ways_of
 from robolayout.words._lexicon import grammar
-from robolayout.words._said import Place
+from robolayout.words._said import Place, sides
 from robolayout.words.demands import Way, stated
 
 COMPASS = {"north": (0.0, -1.0), "south": (0.0, 1.0), "east": (-1.0, 0.0), "west": (1.0, 0.0)}
@@ -98,6 +98,12 @@ def centre(room: Room) -> tuple[float, float]:
     return (round((x0 + x1) / 2, 3), round((y0 + y1) / 2, 3))
 
 
+def openings_meant(room: Room, place: Place) -> tuple[Opening, ...]:
+    """Return the doors or windows that words mean, all where nothing tells them apart."""
+    found, walls = openings(room, place.name), walls_meant(room, Place("wall", sides(place)))
+    return tuple(opening for opening in found if opening.wall in {wall.index for wall in walls}) or found
+
+
 def openings(room: Room, kind: str) -> tuple[Opening, ...]:
     """Return the doors or the windows of a room."""
     return room.doors if kind == "door" else room.windows
@@ -148,10 +154,10 @@ class AtPlaces:
         elif place.name in ("window", "door"):
             gap = (ways_of.AT_WINDOW if place.name == "window" else ways_of.AT_DOOR) * wider
             under = under and self._asset(a).on_floor and not self._asset(a).is_flat
-            for opening, point in zip(openings(self.room, place.name), self._points(place), strict=True):
+            for opening, point in zip(openings_meant(self.room, place), self._points(place), strict=True):
                 held = (stated("against_wall", ref, WallRef(opening.wall)),) if under else ()
                 yield (stated("near", ref, point, gap), *held)
-            for opening in openings(self.room, place.name) if a in self.cornered else ():
+            for opening in openings_meant(self.room, place) if a in self.cornered else ():
                 ends = (opening.offset, opening.offset + opening.width)
                 points = (_point(self.room.walls[opening.wall].point(end)) for end in ends)
                 yield from ((stated("near", ref, point, ways_of.CORNER_BY),) for point in points)
@@ -176,7 +182,7 @@ class AtPlaces:
 
     def _ways_flanking(self, subjects: Sequence[str], place: Place) -> Iterator[Way]:
         """Yield the ways in which things are at both sides of a door or window, in turn."""
-        for opening in openings(self.room, place.name):
+        for opening in openings_meant(self.room, place):
             wall = self.room.walls[opening.wall]
             (x, y), (dx, dy), (nx, ny) = wall.point(opening.center), wall.direction, wall.normal
             far, gap = sum(one.length for one in self.room.walls), opening.width / 2 + ways_of.BESIDE
@@ -202,7 +208,7 @@ class AtPlaces:
         if place is None:
             return []
         if place.name in ("door", "window"):
-            return [_point(self.room.walls[o.wall].point(o.center)) for o in openings(self.room, place.name)]
+            return [_point(self.room.walls[o.wall].point(o.center)) for o in openings_meant(self.room, place)]
         if place.name in ("middle", "room"):
             return [PointRef(*centre(self.room))]
         return [_point(wall.midpoint) for wall in walls_meant(self.room, place)] if place.name == "wall" else []

@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 from robolayout.assets import Category
 from robolayout.assets.palette import COLORS, LOOKS
 from robolayout.words._chunk import Chunk
+from robolayout.words._function_words import COMPASS
 from robolayout.words._lexicon import Noun, grammar
 from robolayout.words._tokens import Measure
 
@@ -177,6 +178,12 @@ def several(item: Mention | Place) -> bool:
 def place_of(chunk: Chunk) -> Place:
     """Return the place that a chunk names."""
     return Place(chunk.value, chunk.adjectives, chunk.number, chunk.plural, chunk.det)
+
+
+def sides(chunk: Chunk | Place) -> tuple[str, ...]:
+    """Return the words of a door or window that say which wall it is in: "the north window", but not "the front door"."""
+    words = chunk.adjectives if isinstance(chunk, Chunk) else chunk.words
+    return tuple(grammar().walls[word] for word in words if word.startswith(tuple(COMPASS)))
 
 
 def same(thing: Thing, chunk: Chunk) -> bool:

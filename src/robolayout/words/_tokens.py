@@ -64,6 +64,7 @@ APART = 0.3
 
 _TOKEN = re.compile(
     rf"(?:twenty|{'|'.join(_TENS[:-1])})[- ](?:{_WORDS})\b"
+    r"|(?:north|south|east|west)[- ]facing(?= (?:\w+ )?(?:window|door|wall))"
     r"|[a-z]+-(?:in|mounted|hung)\b|\d+(?:\.\d+)?|[^\W\d_]+(?:'[^\W\d_]+)*|[.;!?:\n]|,|[()&+]"
 )
 
@@ -145,7 +146,7 @@ def tokens(text: str) -> list[Token]:
     lower = text.lower().replace("\u2019", "'")
     if len(lower) != len(text):  # a letter whose small form is longer: places would no longer fit
         lower = "".join(char.lower() if len(char.lower()) == 1 else char for char in text).replace("\u2019", "'")
-    found = ((m.span(), _written.get(m.group(), (re.sub(r"['-]", "", m.group()),))) for m in _TOKEN.finditer(lower))
+    found = ((m.span(), _written.get(m.group(), (re.sub("[' -]", "", m.group()),))) for m in _TOKEN.finditer(lower))
     return [Token(word, *span) for span, said in found for word in said]
 
 

@@ -20,7 +20,7 @@ from robolayout.words._chunk import Chunk
 from robolayout.words._demander import Demander
 from robolayout.words._judged import Finding, Furnished, Row, Verdict, met
 from robolayout.words._lexicon import KIN, Lexicon, grammar, plain
-from robolayout.words._places import openings
+from robolayout.words._places import openings, walls_meant
 from robolayout.words._said import Link, Place, Thing, mentions, place_in
 from robolayout.words._tokens import Measure
 from robolayout.words.demands import Demand
@@ -210,10 +210,11 @@ class _Rows:
         wanted = place.number or (2 if place.plural else 1)
 
         def judge(room: Furnished) -> Finding:
-            there = len(openings(room.scene.room, place.name))
+            walls = {wall.index for wall in walls_meant(room.scene.room, place)}
+            there = sum(opening.wall in walls for opening in openings(room.scene.room, place.name))
             return met(there == wanted if place.number else there >= wanted, f"{there} there")
 
-        return Row(words, "opening", f"{wanted} {place.name}", judge)
+        return Row(words, "opening", f"{wanted} {as_row.shown(place)}", judge)
 
     def _count(self, thing: Thing) -> Row:
         """Return the row of a thing: as many as are asked for, those that stand for another thing aside."""
