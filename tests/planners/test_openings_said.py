@@ -6,7 +6,11 @@ from dataclasses import replace
 from itertools import pairwise
 
 import pytest
+from shapely import LineString
 
+import robolayout as rl
+from robolayout.constraints import AssetRef
+from robolayout.constraints._exact import footprint
 from robolayout.planners.sentence import scene_from_sentence
 from robolayout.scene import Layout, Opening, Scene
 from robolayout.words import COMPASS, read_words
@@ -57,3 +61,29 @@ def test_a_window_in_another_wall_than_the_one_asked_for_is_not_met() -> None:
         asked = replace(scene, task_description=f"A study with a {side} window.")
         rows = read_words(asked).judged(asked, Layout({}))
         assert [row.verdict == "met" for row in rows if row.kind == "opening"] == [side in there]
+
+
+@pytest.mark.parametrize(
+    ("text", "name"),
+    [
+        ("An office with a filing cabinet between the window and the door.", "filing_cabinet-0"),
+        ("A bedroom with a bed against the wall between the two windows.", "bed-0"),
+        ("A lounge with a picture between the windows.", "picture-0"),
+    ],
+)
+def test_what_is_between_a_window_and_another_opening_is_at_their_wall(text: str, name: str) -> None:
+    scene, _ = scene_from_sentence(text)
+    result = rl.generate(scene)
+    (row,) = [row for row in result.report.asked if row.kind == "relation" and "between" in row.understanding]
+    assert row.verdict == "met"
+    (wall,) = {opening.wall for opening in scene.room.windows}
+    side = LineString([scene.room.walls[wall].start, scene.room.walls[wall].end])
+    assert side.distance(footprint(scene, result.layout, AssetRef(name))) < 0.1
+
+
+def test_what_is_between_openings_in_two_walls_is_between_them_in_the_room() -> None:
+    scene, _ = scene_from_sentence(
+        "A study with a window in the north wall, a door in the east wall and a plant between the door and the window."
+    )
+    (demand,) = read_words(scene).demands
+    assert [[relation.name for relation in way] for way in demand.ways] == [["between"]]

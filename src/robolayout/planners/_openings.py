@@ -82,8 +82,9 @@ def with_openings(room: Room, wishes: Wishes, wide: float, rng: np.random.Genera
     high = _held(room, wishes, OPENINGS.sill)
     taken |= high if len(taken | high) < len(order) else set[int]()
     free = [i for i in order if i not in taken]
-    asked = _wanted(wishes.reading, "window", more, OPENINGS.most_windows)
-    return replace(room, windows=tuple(_windows(room, free, asked, rng)))
+    asked, amid = _wanted(wishes.reading, "window", more, OPENINGS.most_windows), _amid(wishes.reading)
+    free = [d.wall for d in doors] if "door" in amid else free[:1] if amid else free
+    return replace(room, windows=tuple(_windows(room, free, asked, rng, spread=bool(amid))))
 
 
 def _wanted(reading: Reading, kind: str, usual: int, most: int) -> list[Wanted]:
@@ -104,6 +105,13 @@ def _wanted(reading: Reading, kind: str, usual: int, most: int) -> list[Wanted]:
     several = any(o.plural for o in spoken)
     one = not several and any(o.det == "the" for o in spoken)
     return found or [Wanted(1 if one else min(max(usual, 1 + several), most))]
+
+
+def _amid(reading: Reading) -> set[str]:
+    """Return what a thing is to stand between, if it is windows or a window and a door, which are then in one wall."""
+    amid = [link.objects for link in reading.parsed.links if link.relation == "amid"]
+    names = ([item.name if isinstance(item, Place) else "" for item in objects] for objects in amid)
+    return next(({*found} for found in names if "window" in found and {*found} <= {"window", "door"}), set())
 
 
 def _placed(room: Room, wishes: Wishes, name: str) -> Iterator[tuple[list[list[int]], list[Category]]]:
@@ -141,8 +149,10 @@ def _aside(room: Room, wall: int, along: float, wishes: Wishes, full: Set[int]) 
     return min(along, 1.0 - along) if start > end else max(along, 1.0 - along)
 
 
-def _windows(room: Room, free: list[int], asked: Sequence[Wanted], rng: np.random.Generator) -> Iterator[Opening]:
-    """Yield the windows, in two of the free walls, which are outer ones, where no wall is said."""
+def _windows(
+    room: Room, free: list[int], asked: Sequence[Wanted], rng: np.random.Generator, *, spread: bool
+) -> Iterator[Opening]:
+    """Yield the windows, in two of the free walls, which are outer ones, where no wall is said; `spread` with room beside them."""
     outer = (free[: int(rng.integers(1, 3))] if len(asked) == 1 and not asked[0].told else free) or [0]
     by_wall: dict[int, list[Wanted]] = {}
     for turn, wanted in enumerate(i for i in asked for _ in range(i.count)):
@@ -151,11 +161,12 @@ def _windows(room: Room, free: list[int], asked: Sequence[Wanted], rng: np.rando
         begin, end = _stretch(room, wall)
         share = (end - begin) / len(items)
         middle = float(rng.choice([0.35, 0.5, 0.65])) if len(items) == 1 and not items[0].told else 0.5
+        middle = (0.9 if begin else 0.1) if spread and len(items) == 1 else middle
         for number, item in enumerate(items):
             width, height = OPENINGS.large if item.large else OPENINGS.usual
             sill = min(0.9, max(room.wall_height - height - OPENINGS.lintel, 0.0))
             height = round(min(height, room.wall_height - sill - OPENINGS.lintel), 2)
-            width = round(min(width, share * (OPENINGS.most_of_a_wall if len(items) == 1 else 0.7)), 2)
+            width = round(min(width, share * (OPENINGS.most_of_a_wall if len(items) == 1 or spread else 0.7)), 2)
             yield Opening(wall, round(begin + number * share + (share - width) * middle, 2), width, height, sill)
 
 

@@ -24,7 +24,12 @@ class Asked:
 
     subjects: Sequence[str]  # what stands so
     groups: Sequence[Sequence[str]] = ()  # what it stands to, by the thing that was named
-    place: Place | None = None  # the place of the room to which it leads, if it does
+    places: Sequence[Place] = ()  # the places of the room to which it leads
+
+    @property
+    def place(self) -> Place | None:
+        """The first place of the room to which it leads, if it leads to one."""
+        return self.places[0] if self.places else None
 
     @property
     def others(self) -> list[str]:
@@ -97,7 +102,8 @@ class Demander(AtPlaces):
     def _asked(self, link: Link) -> Asked:
         """Return of which assets a link asks something."""
         subjects = [name for mention in link.subjects for name in self._named(mention)]
-        return Asked(subjects, [self._named(item) for item in mentions(link.objects)], place_in(link.objects))
+        places = [item for item in link.objects if isinstance(item, Place)]
+        return Asked(subjects, [self._named(item) for item in mentions(link.objects)], places)
 
     def _named(self, mention: Mention) -> tuple[str, ...]:
         names = self.names.get(mention.thing, ())
@@ -379,6 +385,9 @@ class Demander(AtPlaces):
 
     def _amid(self, it: Asked) -> Iterator[Demand]:
         """Between two things, or a thing and a place: near both, and on the line between them."""
+        if it.places and not it.others and {place.name for place in it.places} <= {"window", "door"}:
+            yield from (Demand(ways) for a in it.subjects if (ways := tuple(self._ways_amid(a, it.places))))
+            return
         ends: list[AssetRef | PointRef] = [AssetRef(name) for name in it.others if name not in it.subjects]
         ends += self._points(it.place)[: 1 + it.place.plural] if it.place is not None else []
         for a in it.subjects if len(ends) > 1 else ():

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
+from itertools import combinations, product
 
 from robolayout.constraints import AssetRef, PointRef, WallRef
 from robolayout.constraints.corner import convex_corners
@@ -202,6 +203,17 @@ class AtPlaces:
                         stated("zone", ref, half),
                     )
                 )
+
+    def _ways_amid(self, a: str, places: Sequence[Place]) -> Iterator[Way]:
+        """Yield the ways in which a thing is between two doors or windows: at their wall, where some are in one wall."""
+        both = [openings_meant(self.room, place) for place in places]
+        pairs = list(product(*both)) if both[1:] else list(combinations(both[0], 2))
+        beside = [(one, two) for one, two in pairs if one.wall == two.wall and one != two]
+        for one, two in beside or pairs:
+            ends = (_point(self.room.walls[opening.wall].point(opening.center)) for opening in (one, two))
+            between = stated("between", AssetRef(a), *ends)
+            held = () if self._asset(a).is_flat or self._asset(a).on_object else (self._held(a, on=True),)
+            yield (between, *(stated(how, AssetRef(a), WallRef(one.wall)) for how in held if beside))
 
     def _points(self, place: Place | None) -> list[PointRef]:
         """Return the middles of doors, windows or walls on the floor, or the middle of the room; none of no place."""
