@@ -87,3 +87,14 @@ def test_what_is_between_openings_in_two_walls_is_between_them_in_the_room() -> 
     )
     (demand,) = read_words(scene).demands
     assert [[relation.name for relation in way] for way in demand.ways] == [["between"]]
+
+
+@pytest.mark.parametrize("text", ["A lounge with curtains on both windows.", "A lounge with a plant at each window."])
+def test_each_window_has_its_own(text: str) -> None:
+    scene, _ = scene_from_sentence(text)
+    demands, middles = read_words(scene).demands, [scene.room.walls[o.wall].point(o.center) for o in scene.room.windows]
+    assert [relation.asset_names()[0][-1] for demand in demands for way in demand.ways for relation in way] == [
+        "0",
+        "1",
+    ]
+    assert len(middles) == 2 and rl.generate(scene).report.ok

@@ -93,3 +93,24 @@ def test_each_of_what_is_listed_stands_where_it_is_said_to() -> None:
 def test_where_several_stand_is_true_of_all_that_are_told_apart_later() -> None:
     (link,) = read("Two chairs stand by the window. One is red and the other is blue.").parsed.links
     assert [mention.thing.look for mention in link.subjects] == [("red",), ("blue",)]
+
+
+@pytest.mark.parametrize(
+    ("text", "count"),
+    [
+        ("curtains on both windows", 2),
+        ("blinds on all windows", 2),
+        ("three windows and curtains on all windows", 3),
+        ("a plant at each window", 2),
+        ("a plant in both corners", 2),
+        ("a lamp on both nightstands", 2),
+        ("two nightstands with a lamp on both", 2),
+        ("four desks and monitors on all desks", 4),
+        ("a rug under both armchairs", 1),
+        ("a table between both sofas", 1),
+        ("a sofa facing both windows", 1),
+    ],
+)
+def test_what_is_on_or_at_both_or_all_of_several_things_is_on_or_at_each(text: str, count: int) -> None:
+    (link,) = (link for link in read(text).parsed.links if link.relation != "with")
+    assert [mention.count for mention in link.subjects] == [count]

@@ -103,6 +103,8 @@ def _wanted(reading: Reading, kind: str, usual: int, most: int) -> list[Wanted]:
     found += [Wanted(o.number or 1, o) for o in told.values() if not {*sides(o)} & there]
     spoken = [o for o in (*objects, *(o.by[1] for o in objects if o.by)) if o.name == kind and not o.words]
     several = any(o.plural for o in spoken)
+    if not found and any(o.det in ("each", "both", "all") for o in spoken):
+        return [Wanted(2)]  # as many as the reader takes them for
     one = not several and any(o.det == "the" for o in spoken)
     return found or [Wanted(1 if one else min(max(usual, 1 + several), most))]
 

@@ -88,7 +88,8 @@ class About(References):
         following = self._ahead(1).kind
         which = word.value == "which" and following in ("verb", "thing")
         that = word.value == "that" and following in ("comma", "stop", "verb", "")
-        if word.value in ("that", "which", "both") and not which and not that:
+        both = word.value == "both" and following in ("and", "comma", "stop", "")  # "with a lamp on both"
+        if word.value in ("that", "which", "both") and not (which or that or both):
             return None
         self.at += 1
         own, meant = named(self.about), (self.acted or self.group)[-1:]
@@ -98,7 +99,7 @@ class About(References):
         if word.value in small.SEVERAL:
             meant = [Mention(mention.thing, mention.pick) for mention in meant]
         self.pending = meant[1:]
-        if word.value.startswith(("each", "every")) and meant:
+        if word.value.startswith(("each", "every", "both")) and meant:
             return Mention(meant[0].thing, None, "each")
         return meant[0] if meant else None
 

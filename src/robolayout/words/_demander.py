@@ -12,7 +12,12 @@ from robolayout.constraints import AssetRef, PointRef, Relation, WallRef
 from robolayout.constraints.between import BetweenTwo
 from robolayout.scene import Scene
 from robolayout.words import _ways as ways_of
-from robolayout.words._places import AtPlaces, centre, corners_meant, halves_meant, rectangle, walls_meant
+from robolayout.words._places import (
+    AtPlaces,
+    centre,
+    rectangle,
+    walls_meant,
+)
 from robolayout.words._rows import ToldRows, alike, in_rows, neighbours, on_a_wall
 from robolayout.words._said import Link, Mention, Place, Thing, mentions, named, place_in
 from robolayout.words.demands import Demand, by_ways, single, stated
@@ -418,30 +423,6 @@ class Demander(AtPlaces):
     def _middle_each(self, a: str, b: str) -> Demand:
         on = self._asset(a).on_object or self._asset(b).is_flat
         return self._on_each(a, b) if on else single(stated("near", AssetRef(a), AssetRef(b), ways_of.BESIDE))
-
-    def _at_place(
-        self, subjects: Sequence[str], place: Place, *, on: bool = False, share: bool = False, under: bool = False
-    ) -> Iterator[Demand]:
-        """Yield that things stand at a place of the room; where several share it, each somewhat farther from its middle."""
-        together = "same" in place.words or (place.plural and "opposite" in place.words)
-        corners = corners_meant(self.room, place) if place.name == "corner" else []
-        if place.name == "wall" and together and len(subjects) > 1 and "middle" not in place.words:
-            half = (len(subjects) + 1) // 2  # at one wall, or one half at each of two
-            yield Demand(tuple(self._at_walls(subjects[half:], subjects[:half], place, on=on)))
-        elif place.name == "side" and {"opposite", "opposing"} & {*place.words} and len(subjects) > 1:
-            half = (len(subjects) + 1) // 2  # one half of them in each half of the room
-            yield Demand(
-                tuple(
-                    tuple(stated("zone", AssetRef(a), sides[i >= half]) for i, a in enumerate(subjects))
-                    for one, other in (("left", "right"), ("right", "left"), ("front", "back"), ("back", "front"))
-                    for sides in [[next(halves_meant(self.room, Place("side", (end,)))) for end in (one, other)]]
-                )
-            )
-        elif len(corners) == len(subjects) > 1:
-            yield from (single(stated("corner", AssetRef(a), i)) for a, i in zip(subjects, corners, strict=True))
-        else:
-            found = (tuple(self._ways_at(a, place, on=on, share=share, under=under)) for a in subjects)
-            yield from (Demand(ways) for ways in found if ways)
 
     def _atwalls(self, it: Asked) -> Iterator[Demand]:
         if it.place is not None:

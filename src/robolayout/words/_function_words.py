@@ -26,6 +26,7 @@ ADDING, ROUND_IT = _WORDS["adding"], _WORDS["round_it"]
 NEARNESS, LAID, ZONES, OF_THE_ROOM = (_WORDS[name] for name in ("nearness", "laid", "zones", "of_the_room"))
 ORDERS, ALONE, PETS, CLOSE, SHARED = (_WORDS[name] for name in ("orders", "alone", "pets", "close", "shared"))
 AT_FIRST, AT_LAST = _WORDS["at_first"], _WORDS["at_last"]
+SHARED_OUT = _WORDS["shared_out"]
 MOST, STANDING, ROUND, LOUNGE = (_WORDS[name] for name in ("most", "standing", "round", "lounge"))
 NAMING, SILENT, OF_A_THING, BEFORE_NOUNS = (_WORDS[name] for name in ("naming", "silent", "of_a_thing", "before_nouns"))
 HALVES, COMPASS, REST, AFTER_A_PLACE = (_WORDS[name] for name in ("halves", "compass", "rest", "after_a_place"))

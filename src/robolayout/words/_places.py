@@ -12,7 +12,7 @@ from robolayout.scene import Asset, Opening, Room, Scene, Wall
 from robolayout.words import _ways as ways_of
 from robolayout.words._lexicon import grammar
 from robolayout.words._said import Place, sides
-from robolayout.words.demands import Way, stated
+from robolayout.words.demands import Demand, Way, single, stated
 
 COMPASS = {"north": (0.0, -1.0), "south": (0.0, 1.0), "east": (-1.0, 0.0), "west": (1.0, 0.0)}
 """Inward normals of walls by name, as on a plan: north is up."""
@@ -142,6 +142,33 @@ class AtPlaces:
                 if one is two if same else _across(one, two):
                     both = [*((a, one) for a in there), *((a, two) for a in subjects)]
                     yield tuple(stated(self._held(a, on), AssetRef(a), WallRef(wall.index)) for a, wall in both)
+
+    def _at_place(
+        self, subjects: Sequence[str], place: Place, *, on: bool = False, share: bool = False, under: bool = False
+    ) -> Iterator[Demand]:
+        """Yield that things stand at a place of the room; where several share it, each somewhat farther from its middle."""
+        together = "same" in place.words or (place.plural and "opposite" in place.words)
+        corners = corners_meant(self.room, place) if place.name == "corner" else []
+        if place.name == "wall" and together and len(subjects) > 1 and "middle" not in place.words:
+            half = (len(subjects) + 1) // 2  # at one wall, or one half at each of two
+            yield Demand(tuple(self._at_walls(subjects[half:], subjects[:half], place, on=on)))
+        elif place.name == "side" and {"opposite", "opposing"} & {*place.words} and len(subjects) > 1:
+            half = (len(subjects) + 1) // 2  # one half of them in each half of the room
+            yield Demand(
+                tuple(
+                    tuple(stated("zone", AssetRef(a), sides[i >= half]) for i, a in enumerate(subjects))
+                    for one, other in (("left", "right"), ("right", "left"), ("front", "back"), ("back", "front"))
+                    for sides in [[next(halves_meant(self.room, Place("side", (end,)))) for end in (one, other)]]
+                )
+            )
+        elif len(corners) == len(subjects) > 1:
+            yield from (single(stated("corner", AssetRef(a), i)) for a, i in zip(subjects, corners, strict=True))
+        else:
+            each = place.name in ("window", "door") and place.det in ("each", "both", "all")
+            each = each and len(openings_meant(self.room, place)) == len(subjects)  # "curtains on both windows"
+            found = [tuple(self._ways_at(a, place, on=on, share=share and not each, under=under)) for a in subjects]
+            found = [ways[i : i + 1] for i, ways in enumerate(found)] if each else found
+            yield from (Demand(ways) for ways in found if ways)
 
     def _ways_at(self, a: str, place: Place, *, on: bool, share: bool, under: bool = False) -> Iterator[Way]:
         """Yield the ways in which one thing can be at a place of the room; `under` a window it stands at its wall."""

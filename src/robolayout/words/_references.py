@@ -170,8 +170,14 @@ class References(Spoken):
         # "in each of the back corners", "in each corner opposite the door"
         sides = len({*item.words} & {*grammar().walls}) or (item.by is not None)
         corners = 4 if not sides or item.name == "wall" else 2 // sides
-        corners = 2 if item.name == "wall" and {"long", "short", "side", "opposite"} & {*item.words} else corners
-        return item.number or (corners if item.name in ("corner", "wall") else asked or 1)
+        corners = (
+            2
+            if item.det == "both" or (item.name == "wall" and {"long", "short", "side", "opposite"} & {*item.words})
+            else corners
+        )
+        return item.number or (
+            corners if item.name in ("corner", "wall") else asked or (2 if item.det in ("each", "both", "all") else 1)
+        )
 
     def _gaps(self, item: Mention | Place) -> int:
         """Return how many gaps there are between neighbours of several things that stand in rows or along walls."""
@@ -230,7 +236,11 @@ class References(Spoken):
         self, chunk: Chunk, subjects: Sequence[Mention], objects: Sequence[Mention | Place]
     ) -> Sequence[Mention]:
         """Settle how many things are asked for that stand at each of several, at walls or in rows; return them."""
-        each = [item for item in objects if item.det == "each" and chunk.value not in ("apart", "far")]
+        shared = chunk.value in small.SHARED_OUT and all(m.thing.number in (None, 1) for m in subjects)
+        one_each = ("each", "both", "all") if shared else ("each",) if chunk.value not in ("apart", "far") else ()
+        each = [item for item in objects if item.det in one_each]
+        for mention in subjects if each and each[0].det != "each" else ():
+            mention.thing.number = 1  # "lamps on both nightstands"
         for item in each:
             count = self._gaps(item) if chunk.value == "amid" else self._number_of(item)
             subjects = [mention.widened(count) for mention in subjects]
