@@ -34,6 +34,9 @@ from robolayout.words import (
 LOW = ("coffee table", "side table")
 """Tables that have no chairs."""
 
+SMALL = (*LOW, "kids table", "dining table", "round table")
+"""Tables that may be meant by a small one."""
+
 GENERAL = ("desk", "bed", "table", "chair", "seat", "shelf", "sink", "counter", "mat", "monitor", "scale")
 """Nouns that mean what is usual in a room: a desk of a classroom is a student desk."""
 
@@ -182,8 +185,10 @@ class Wishes:
         if word in items or (word in CATALOGUE and kind != word):
             return kind
         low = LOW if thing.sat_at else ()
-        fits = (name for name in items if name.split()[-1] == word and name.split()[0] != word and name not in low)
-        return next(fits, kind)
+        fits = [name for name in items if name.split()[-1] == word and name.split()[0] != word and name not in low]
+        if thing.noun.said == "small table":  # in a game room no pool table, beside a sofa no coffee table
+            fits = [name for name in fits if name in SMALL and (thing.noun.others or kind not in LOW)]
+        return next(iter(fits), kind)
 
     def _shown(self, thing: Thing) -> str:
         """Return the category under which a thing stands in the scene: its own words where no kind of that name is known."""
@@ -194,7 +199,8 @@ class Wishes:
         """Return the kind of a thing with its name and size, and as it is where it is asked to be."""
         name, shown = self.kind(thing), self._shown(thing)
         kind = self.lexicon.kinds[name]
-        size = self._large_enough(thing, sized(kind, thing.adjectives, thing.sizes))
+        told = {"square", *(SIZE_WORDS if name != thing.noun.kind else ())} & {*thing.noun.said.split()}
+        size = self._large_enough(thing, sized(kind, (*thing.adjectives, *told), thing.sizes))
         if not all(0.0 < side <= LONGEST for side in size):
             shape = f"{' x '.join(f'{side:g}' for side in size)} m"
             raise SceneError(f"a {shown} of {shape} cannot be placed; give it sides above 0 and at most {LONGEST:g} m.")

@@ -9,7 +9,7 @@ from robolayout.assets.lexicon import phrase_index
 from robolayout.scene import FLAT_HEIGHT
 from robolayout.words import _function_words as small
 from robolayout.words._said import Link, Parsed, Place, Thing, mentions
-from robolayout.words._ways import BEARING, SEATS, TOPS
+from robolayout.words._ways import AT_SIDES, BEARING, SEATS, TOPS
 
 WATCHING = ("front", "facing", "opposite", "around")
 """Relations of seats to what they look at."""
@@ -25,6 +25,10 @@ def settle_kinds(parsed: Parsed) -> None:
                 mention.thing.sat_at = True
     music = bool({thing.noun.kind for thing in parsed.things} & small.INSTRUMENTS) and not heads & {"desk", "computer"}
     for thing in parsed.things:
+        if thing.noun.said == "table" and {"small", "little"} & {*thing.adjectives}:  # "a small wooden table"
+            thing.adjectives = tuple(word for word in thing.adjectives if word not in ("small", "little"))
+            kind, *others = phrase_index()["small table"]
+            thing.noun = replace(thing.noun, words=kind, kind=kind, said="small table", others=tuple(others))
         noun = thing.noun
         if noun.said == "keyboard" and music:
             _take(thing, "digital piano")
@@ -51,6 +55,8 @@ def _settle_by_others(link: Link) -> None:
     for thing in (mention.thing for mention in link.subjects if to):
         if amid and heads <= small.LOUNGE and thing.noun.kind in small.TABLES:
             _take(thing, "coffee table" if "sofa" in heads else "side table")
+        elif thing.noun.said == "small table" and thing.noun.others and link.relation in (*AT_SIDES, "front"):
+            _take(thing, "coffee table" if link.relation == "front" and heads <= small.LOUNGE else "side table")
         elif thing.noun.words == "stool" and any(other.noun.kind.endswith(small.HIGH) for other in to):
             _take(thing, "bar stool")
         elif thing.noun.kind == "curtain" and (amid or link.relation == "around"):

@@ -235,8 +235,14 @@ class _Rows:
             return met(there <= wanted if thing.bound == "most" else there >= min(least, wanted), f"{there} there")
 
         words = self.reading.span(*thing.spans[0])
+        made = {category_of(self.scene.by_name[name]).name for name in own}
+        named = (
+            thing.noun.words
+            if nearest or made <= {thing.noun.kind}
+            else f"{thing.noun.said} ({', '.join(sorted(made))})"
+        )
         sizes = "".join(f", {word}" for word in thing.adjectives if word in grammar().sizes)
-        return Row(words, "count", f"{bound}{wanted} {thing.noun.words}{sizes}{nearest}", judge)
+        return Row(words, "count", f"{bound}{wanted} {named}{sizes}{nearest}", judge)
 
     def _relation(self, link: Link) -> Row:
         """Return the row of a relation."""

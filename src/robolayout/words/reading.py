@@ -248,6 +248,8 @@ def sized(kind: Category, adjectives: Sequence[str], measures: Sequence[Measure]
     for word in dict.fromkeys(adjectives) if (depth, width, height) == kind.size else ():
         d, w, h = lists.sizes.get(word, (1.0, 1.0, 1.0))
         depth, width, height = depth * d, width * w, height * h
+    if kind.name.startswith("round ") or "square" in adjectives:
+        depth = width = min(depth, width)
     size = (round(depth, 3), round(width, 3), round(height, 3))
     for measure in measures:
         size = measure.on(size)
