@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from robolayout.words import Lexicon, Mention, Reading, read_rooms, read_text
+from robolayout.words import Lexicon, Mention, Place, Reading, read_rooms, read_text
 
 LEXICON = Lexicon(read_rooms())
 
@@ -32,6 +32,10 @@ def told(text: str) -> Told:
         ("a single and a double bed", [(1, "", "single bed"), (1, "", "bed")]),
         ("a light and a table", [(1, "", "ceiling lamp"), (1, "", "dining table")]),
         ("a black and white rug", [(1, "black and white", "rug")]),
+        ("both a round and a rectangular table", [(1, "", "round table"), (1, "rectangular", "dining table")]),
+        ("a king and a twin bed", [(1, "", "bed"), (1, "", "twin bed")]),
+        ("a tall narrow dresser and a low wide one", [(1, "tall narrow", "dresser"), (1, "low wide", "dresser")]),
+        ("a rug in the corner and a table", [(1, "", "rug"), (1, "", "dining table")]),
     ],
 )
 def test_adjectives_that_share_a_noun_are_each_of_a_thing_of_its_own(text: str, said: Told) -> None:
@@ -75,6 +79,7 @@ def test_what_a_relation_leads_to_is_another_thing_where_its_look_excludes_the_f
         ("two beds: a crib and a bunk bed", [(1, "", "crib"), (1, "", "bunk bed")]),
         ("four seats: a sofa, two armchairs and a bench", [(1, "", "sofa"), (2, "", "armchair"), (1, "", "bench")]),
         ("two armchairs, one of them red", [(1, "", "armchair"), (1, "red", "armchair")]),
+        ("six armchairs, half of them blue", [(3, "", "armchair"), (3, "blue", "armchair")]),
         ("two sofas, one by the window and one by the door", [(2, "", "sofa")]),
         ("two chairs, an office chair and an armchair", [(2, "", "chair"), (1, "", "office chair"), (1, "", "armchair")]),
         ("two shelves: a vase and a clock", [(2, "", "shelving unit"), (1, "", "vase"), (1, "", "wall clock")]),
@@ -114,3 +119,38 @@ def test_where_several_stand_is_true_of_all_that_are_told_apart_later() -> None:
 def test_what_is_on_or_at_both_or_all_of_several_things_is_on_or_at_each(text: str, count: int) -> None:
     (link,) = (link for link in read(text).parsed.links if link.relation != "with")
     assert [mention.count for mention in link.subjects] == [count]
+
+
+def test_what_is_said_after_a_list_of_what_was_counted_is_about_all_of_it() -> None:
+    for text in (
+        "two monitors, one large and one small, on the desk",
+        "a room with two chairs, a red one and a blue one, by the door",
+    ):
+        (link,) = read(text).parsed.links
+        assert len(link.subjects) == 2
+
+
+def test_the_first_two_and_the_others_are_of_those_that_were_counted() -> None:
+    parsed = read("four desks, the first two facing the window and the others facing the door").parsed
+    assert [thing.count for thing in parsed.things] == [4]
+    assert [link.subjects[0].pick for link in parsed.links] == [slice(0, 2), slice(2, 4)]
+
+
+def test_how_many_each_row_has_counts_them() -> None:
+    assert told("three rows of desks, two desks in each row") == [(6, "", "desk")]
+
+
+@pytest.mark.parametrize("text", ["a sofa and two chairs, all grey", "two armchairs, both grey"])
+def test_a_look_of_all_is_that_of_each(text: str) -> None:
+    assert {thing.look for thing in read(text).parsed.things} == {("grey",)}
+
+
+def test_the_left_and_right_walls_are_two_walls() -> None:
+    (link,) = read("shelves on the left and right walls").parsed.links
+    assert [(item.name, item.words) for item in link.objects if isinstance(item, Place)] == [
+        ("wall", ("left", "and", "right"))
+    ]
+
+
+def test_a_lamp_between_seats_or_beds_stands_on_the_floor() -> None:
+    assert told("two beds with a lamp between them")[1] == (1, "", "floor lamp")

@@ -8,6 +8,7 @@ from itertools import takewhile
 
 from robolayout.scene import FLAT_HEIGHT
 from robolayout.words import _function_words as small
+from robolayout.words._appositions import LISTED
 from robolayout.words._chunk import Chunk
 from robolayout.words._references import References
 from robolayout.words._said import Mention, Place, laid, mentions, named, place_of, same, several, topped
@@ -273,6 +274,10 @@ class About(References):
         again = again or (ends and relation in small.NEARNESS)
         begun = next(i for i, c in enumerate(self.chunks) if c.end == last.spans[-1][1])
         closed = self.chunks[begun - 1].kind == "and"
+        if (
+            self.chunks[begun - 1].value == LISTED and not again
+        ):  # "two shelves, a tall one and a low one, by the window"
+            return True
         had = "with" if relation == "flank" else ""
         own = (k for k in self.said.links if k.start >= self.began and k.relation != had)
         if again or not closed or self.target is not None or {m.thing for k in own for m in k.subjects} & {*earlier}:

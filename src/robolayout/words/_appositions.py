@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from itertools import pairwise
 
+from robolayout.words import _function_words as small
 from robolayout.words._chunk import NOTHING, Chunk
 from robolayout.words._lexicon import KIN, grammar
 from robolayout.words._tokens import count_of
@@ -15,6 +16,9 @@ SAYING = ("is", "are", "of", "them", "which", "of which", "of them")
 
 MARKS = ("and", "comma", "colon", "stop")
 """What stands before each thing of a list."""
+
+LISTED = "listed"
+"""What joins things that were counted before they were listed: what is said after them is about all."""
 
 Item = tuple[Chunk, int, int]
 """A thing of a list, its first chunk and the one after its last."""
@@ -33,8 +37,11 @@ def described(chunks: Sequence[Chunk]) -> list[Chunk]:
         if items and {*between} <= {"and", "comma"} and (close or _at(found, end).kind in ("", "stop", "comma")):
             named = [*rest, *(item for item, _, _ in items)]
             joined = [
-                c for item in named for c in (replace(NOTHING, kind="and", start=item.start, end=item.start), item)
+                c
+                for item in named
+                for c in (replace(NOTHING, kind="and", start=item.start, end=item.start, value=LISTED), item)
             ]
+            end += close and (_at(found, end).kind, _at(found, end + 1).kind) == ("comma", "rel")
             found[i:end] = [*joined[1:], *found[i + 1 : first - 1]]
         elif close:  # with where each of them is
             for item, start, after in reversed(items):
@@ -77,10 +84,11 @@ def _item(chunks: Sequence[Chunk], at: int, several: Chunk) -> Item | None:
     one, end, words, sizes = chunks[at], at + 1, list[str](), list(chunks[at].sizes)
     other = (one.value, _at(chunks, end).value) == ("the", "other")
     elided = one.noun is several.noun and one.det in ("new", "the", "other")
-    number = one.number if one.kind == "thing" else count_of(one.value)
+    half = int(small.SHARES.get(one.value, 0.0) * (several.number or 0))
+    number = one.number if one.kind == "thing" else count_of(one.value) or half
     if not elided and one.kind == "thing":  # "two beds: a crib and a bunk bed"
         return (one, at, end) if _kind_of(one, several) and chunks[at - 1].value in (":", "(", "and", ",") else None
-    if not (elided or other or (number and one.kind == "filler")):
+    if not (elided or other or (number and one.kind in ("filler", "other"))):
         return None
     end += other
     while (chunk := _at(chunks, end)).kind in ("style", "measure") or chunk.value in SAYING:

@@ -17,7 +17,7 @@ WITHOUT_NOUN = re.compile(
     r"(?:(?:the |a )?\b(another|(?<=\ba )(?:second|third|fourth|fifth|sixth)(?! of)"
     r"|(?<=the )(?:other half(?! of)|others?|remaining|rest|first|second|third|last|former|latter))"
     r"(?: (two|three|four|five|six|[2-9]))?( ones?)?"
-    r"|(?:the|an?|(two|three|four|five|six|[2-9])) (?:(?!other)(\w+) )?ones?|all but (one|two|three)(?! of)) "
+    r"|(?:the|an?|(two|three|four|five|six|[2-9])) (?:(?!other)((?:\w+ )?\w+) )?ones?|all but (one|two|three)(?! of)) "
 )
 """Phrases that leave out their noun: what picks, how many, whether "one" stands for the noun, an adjective."""
 
@@ -58,17 +58,17 @@ def without_noun(
     picks, some, one, counted, told, but = match.groups()
     number = some or counted
     end = at + len(match.group().split())
-    if (picks and not one and run(end)) or (told and told not in grammar().adjectives):
+    if (picks and not one and run(end)) or not _looks(told or ""):
         return None
     if picks in LATTER:
         two = [c for c in found if c.kind == "thing" and not {*words[c.start : c.end]} & {*LATTER}][-2:]
         return replace(two[LATTER.index(picks) - 2], start=at, end=end, det="the", adjectives=()) if two[1:] else None
     new = bool(counted) or words[at] in ("a", "an", "another")
-    told = told or ""
-    nouns = [c for c in found if c.kind in ("thing", "part") and (new or told in c.adjectives or _of_several(c))]
+    told, looks = told or "", {*(told or "").split()}
+    nouns = [c for c in found if c.kind in ("thing", "part") and (new or looks & {*c.adjectives} or _of_several(c))]
     nouns = [c for c in nouns if not told or c.plural or c.number or c.kind == "thing"]  # "the upper one" is no corner
     led = [c for before, c in pairwise(found) if before.kind == "rel" and c in nouns]
-    alike = [c for c in nouns if c.noun is not None and told in (*c.adjectives, *c.noun.said.split())]
+    alike = [c for c in nouns if c.noun is not None and looks & {*c.adjectives, *c.noun.said.split()}]
     leads = [c.kind for c in found[-1:]] == ["rel"] and [c.value for c in found[-2:-1]] != ["one"]
     again = [c for c in nouns if new and told and sum(c.noun is other.noun for other in found) > 1]  # "and a low one"
     last = (alike or again or [c for c in nouns if (c in led) == leads] or nouns or [None])[-1]
@@ -85,7 +85,14 @@ def without_noun(
         return None
     count = -(count_of(but) or 0) if but else count_of(number or "")
     chunk = replace(last, start=at, end=end, det=det, number=count, bound="", plural=many, rows=0)
-    return replace(chunk, adjectives=(told,) if told else last.adjectives if last.kind == "part" else ())
+    return replace(chunk, adjectives=tuple(told.split()) if told else last.adjectives if last.kind == "part" else ())
+
+
+def _looks(told: str) -> bool:
+    """Return whether words before "one" are an adjective, or several that say how a thing looks: "a low wide one"."""
+    lists = grammar()
+    known = lists.adjectives if " " not in told else {*lists.styles, *lists.sizes}
+    return all(word in known for word in told.split())
 
 
 def _of_several(chunk: Chunk) -> bool:

@@ -78,8 +78,9 @@ class Chunker(ClosedWords):
 
     def _noun_later(self, at: int) -> Chunk | None:
         """Return a phrase that shares the noun of the next one: "a blue and a red chair", "one large and two small desks"."""
-        end = first = at + 1
-        while any(self._word(end) in words for words in (self.grammar.styles, self.grammar.sizes)):
+        end = first = at + 1 + (self._word(at) in ("both", "either") and self._leads(at + 1))
+        models = {model.split()[0] for model in self.grammar.models} - self.grammar.parts.keys()
+        while any(self._word(end) in words for words in (self.grammar.styles, self.grammar.sizes, models)):
             end += 1
         end = max(end, first + self._sizes(first))
         begins = end + 1 + (self._word(end) == "," and self._word(end + 1) == "and")
@@ -90,8 +91,10 @@ class Chunker(ClosedWords):
         *more, head = chunk.noun.said.split()
         if not (more or chunk.adjectives or chunk.sizes):
             return None
-        det, number = small.DETERMINERS.get(self.words[at], ""), count_of(self.words[at])
+        det, number = small.DETERMINERS.get(self.words[first - 1], ""), count_of(self.words[first - 1])
         number, own = None if det else number, self.lexicon.noun([*self.words[first:end], head])
+        alone = self.lexicon.noun([head]) if {*self.words[first:end]} & models else None
+        chunk = replace(chunk, noun=alone or chunk.noun)
         same = replace(chunk, start=at, end=end, det=det, number=number, plural=(number or 1) > 1)
         return replace(same, noun=own, adjectives=(), sizes=()) if own else self._told(same, range(first, end), ())
 

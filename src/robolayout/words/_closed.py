@@ -49,6 +49,8 @@ class ClosedWords:
             return False
         sided = phrase.endswith(("left", "right", "middle", "center", "centre")) and " its " not in phrase
         if sided and following and following not in MARKS:
+            if re.match("and (the )?(left|right) walls?( |$)", " ".join(self.words[end : end + 4])):
+                return False  # "on the left and right walls"
             told = following in (*small.JOINING, *small.ALONE_DOES, "there", "with", "are", "stand")
             return told or self._leads(end)
         if re.search("long side|oppos[a-z]* (sides|ends)", phrase) and "room" in self.words[end : end + 3]:

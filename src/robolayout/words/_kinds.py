@@ -97,7 +97,7 @@ def _where(link: Link) -> str:
         return "ceiling" if to.name == "ceiling" else "wall" if hung else "floor" if link.relation == "wall" else ""
     if link.relation == "behind" and all(mention.thing.noun.said == "mirror" for mention in link.subjects):
         return "wall"
-    standing = "floor" if link.relation in small.STANDING else ""
+    standing = "floor" if link.relation in (*small.STANDING, "amid") else ""
     if to is None or isinstance(to, Place):
         return "ceiling" if link.relation == "above" else standing
     bearer = to.thing

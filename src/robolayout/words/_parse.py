@@ -84,6 +84,8 @@ class Parser(Relating):
         following = self._ahead()
         if chunk.value == "for" and following.kind == "filler" and (count_of(following.value) or 0) > 1:
             self._for_people(Chunk("people", chunk.start, following.end, number=count_of(following.value)))
+        if chunk.value == "all" and self._ahead().kind == "style" and self.recent:
+            self.subject, self.verb = list(self.recent), True  # "a sofa and two chairs, all grey"
         if chunk.value == "all" and self._ahead().kind == "rel" and self.recent:  # "two chairs, all on a rug"
             self._these([m for m in self.recent if not topped(m)])
             self.acted, self.holder = self.group, []
@@ -166,6 +168,9 @@ class Parser(Relating):
             placed = any(other.kind == "rel" for other in clause)  # not "the furniture is white"
             self._these([Mention(t) for t in self.said.things if placed and t.category.on_floor])
             return
+        if chunk.value == "both" and self._ahead().kind == "style":  # "two armchairs, both red"
+            self.subject, self.verb = [m for m in self.recent if several(m)][-1:] or self.recent[-2:], True
+            return
         room = chunk.value == "it" and self.before[:1] and self.before[0].det in ("both", "all")
         one = len(self.before) == 1 and not several(self.before[0]) and not self.group
         if one and chunk.value in (*small.EVERY, "they") and chunk.value != "both":
@@ -190,7 +195,7 @@ class Parser(Relating):
             self._understood(chunk)
             self._these(members)
             return
-        if self._no_thing(chunk) or self._also_each(chunk):
+        if self._no_thing(chunk) or self._also_each(chunk) or self._per_row(chunk):
             return
         mention = self._mention(chunk)
         self.recent.append(mention)
@@ -302,6 +307,16 @@ class Parser(Relating):
             return False
         self._link(Chunk("rel", chunk.start, chunk.end, last.relation), [mention], before)
         self.group, self.subject, self.acted = [mention], before, []
+        return True
+
+    def _per_row(self, chunk: Chunk) -> bool:
+        """Return whether a noun says how many of a thing each of its rows has: "three rows of desks, four desks in each row"."""
+        rows = next((thing for thing in reversed(self.said.things) if thing.rows > 0 and same(thing, chunk)), None)
+        if rows is None or not chunk.number or (self._ahead().value, self._ahead(1).value) != ("in", "each row"):
+            return False
+        rows.number = rows.rows * chunk.number
+        self._understood(chunk, self._ahead(), self._ahead(1))
+        self.at += 2
         return True
 
     def _also_each(self, chunk: Chunk) -> bool:

@@ -39,7 +39,9 @@ class References(Spoken):
                 known.number = 2  # "on the left nightstand ... on the right nightstand"
             known.spans.append((chunk.start, chunk.end))
             pick = self._pick(chunk, known.count, self.dealt.get(known), target=target)
-            if pick is not None and chunk.det in ("new", "one", *small.SHARES):
+            if pick is not None and (
+                chunk.det in ("new", "one", *small.SHARES) or (chunk.det == "first" and chunk.number)
+            ):
                 self.dealt[known] = pick.stop
             return Mention(known, pick, chunk.det)
         number = 1 if chunk.number is None and chunk.det in ("a", "new", "one") and not chunk.plural else chunk.number
@@ -107,6 +109,8 @@ class References(Spoken):
         places |= dict.fromkeys(small.AT_FIRST, 0) | dict.fromkeys(small.AT_LAST, count - 1)
         told = [places[word] for word in (chunk.det, *chunk.adjectives) if word in places]
         told += [0] if chunk.number == 1 and not chunk.plural and target else []
+        if told and chunk.det in ("first", "last"):  # "the first two"
+            return slice(0, many) if chunk.det == "first" else slice(count - many, count)
         return slice(told[0], told[0] + 1) if told else None
 
     def _known(self, chunk: Chunk, *, target: bool) -> Thing | None:
@@ -170,14 +174,10 @@ class References(Spoken):
         # "in each of the back corners", "in each corner opposite the door"
         sides = len({*item.words} & {*grammar().walls}) or (item.by is not None)
         corners = 4 if not sides or item.name == "wall" else 2 // sides
-        corners = (
-            2
-            if item.det == "both" or (item.name == "wall" and {"long", "short", "side", "opposite"} & {*item.words})
-            else corners
-        )
-        return item.number or (
-            corners if item.name in ("corner", "wall") else asked or (2 if item.det in ("each", "both", "all") else 1)
-        )
+        halved = item.name == "wall" and {"long", "short", "side", "opposite"} & {*item.words}
+        corners = 2 if halved or item.det == "both" else corners
+        usual = 2 if item.det in ("each", "both", "all") else 1
+        return item.number or (corners if item.name in ("corner", "wall") else asked or usual)
 
     def _gaps(self, item: Mention | Place) -> int:
         """Return how many gaps there are between neighbours of several things that stand in rows or along walls."""
