@@ -38,6 +38,8 @@ def sides(scene: Scene, openings: tuple[Opening, ...]) -> list[str]:
         ("A study with two windows facing south and a door on the left.", ["south", "south"], ["west"]),
         ("A study with a door to the north and another door to the south.", None, ["north", "south"]),
         ("A study with a door in the west wall and a window opposite the door.", ["east"], ["west"]),
+        ("A study with two doors, one in the north wall and one in the south wall.", None, ["north", "south"]),
+        ("A study with two windows: one in the west wall and one above the desk.", None, None),
     ],
 )
 def test_doors_and_windows_are_in_the_walls_in_which_they_are_said_to_be(

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from robolayout.words import Lexicon, Mention, Place, Reading, read_rooms, read_text
+from robolayout.planners.sentence import scene_from_sentence
+from robolayout.words import Lexicon, Mention, Place, Reading, read_rooms, read_text, read_words
 
 LEXICON = Lexicon(read_rooms())
 
@@ -154,3 +155,15 @@ def test_the_left_and_right_walls_are_two_walls() -> None:
 
 def test_a_lamp_between_seats_or_beds_stands_on_the_floor() -> None:
     assert told("two beds with a lamp between them")[1] == (1, "", "floor lamp")
+
+
+def test_two_monitors_on_a_desk_are_of_one_person() -> None:
+    scene, _ = scene_from_sentence("An office with two monitors, one large and one small, on the desk.")
+    names = [asset.category for asset in scene.assets]
+    assert (names.count("monitor"), names.count("desk"), names.count("office chair")) == (2, 1, 1)
+
+
+def test_things_at_two_walls_are_in_equal_shares_at_each() -> None:
+    scene, _ = scene_from_sentence("A gallery with four pictures on the east and west walls.")
+    walls = [str(relation).rpartition("index=")[2] for relation in read_words(scene).said]
+    assert walls[0] == walls[1] != walls[2] == walls[3]

@@ -176,6 +176,8 @@ def _people(wishes: Wishes, wished: dict[str, int]) -> int:
         return 0 if room.couple and wishes.reading.people == 2 and not wishes.reading.young else wishes.reading.people
     taken = {head(name) for name in room.person}
     taken |= {"computer"} if "desk" in taken else set()
+    if "desk" in {head(name) for name in wished}:
+        taken -= {"computer", "monitor"}  # two on a desk are of one person
     if "desk" in taken and wishes.seats:
         taken = {"desk"}  # who sits at the table also has a desk
     tables = [(wishes.kinds[name], n) for name, n in wished.items() if room.tables and head(name) == "table"]

@@ -53,11 +53,9 @@ def described(chunks: Sequence[Chunk]) -> list[Chunk]:
 def _listed(chunks: Sequence[Chunk], at: int) -> list[Item]:
     """Return what is listed after several things, in their sentence or all over the next one, where it is all of them."""
     several = chunks[at]
-    if (
-        several.noun is None
-        or not (several.plural or several.det == "both")
-        or several.noun in [c.noun for c in chunks[:at]]
-    ):
+    again = several.noun is not None and several.noun in [c.noun for c in chunks[:at]]
+    opening = several.value in ("window", "door")
+    if again or not (several.kind == "thing" or opening) or not (several.plural or several.det == "both"):
         return []
     stops = [*(k for k in range(at, len(chunks)) if chunks[k].kind == "stop"), len(chunks), len(chunks)]
     items = _items(chunks, at + 2, stops[0], several)
@@ -83,7 +81,7 @@ def _item(chunks: Sequence[Chunk], at: int, several: Chunk) -> Item | None:
     """Return what a list names of several things here: one or so many of them by a look, or one of a kind of its own."""
     one, end, words, sizes = chunks[at], at + 1, list[str](), list(chunks[at].sizes)
     other = (one.value, _at(chunks, end).value) == ("the", "other")
-    elided = one.noun is several.noun and one.det in ("new", "the", "other")
+    elided = one.kind == "thing" and one.noun is several.noun and one.det in ("new", "the", "other")
     half = int(small.SHARES.get(one.value, 0.0) * (several.number or 0))
     number = one.number if one.kind == "thing" else count_of(one.value) or half
     if not elided and one.kind == "thing":  # "two beds: a crib and a bunk bed"
@@ -96,11 +94,11 @@ def _item(chunks: Sequence[Chunk], at: int, several: Chunk) -> Item | None:
         sizes += [chunk.measure] if chunk.measure is not None else []
         end += 1
     words += one.adjectives
-    same = replace(
-        several, start=one.start, end=chunks[end - 1].end, det="new", number=number or 1, bound="", rows=0, plural=(number or 1) > 1,
-        adjectives=(*words, *several.adjectives), sizes=(*sizes, *several.sizes),
-    )  # fmt: skip
-    return (same, at, end) if words or sizes else None
+    span = {"start": one.start, "end": chunks[end - 1].end, "number": number or 1, "plural": (number or 1) > 1}
+    looks = {"adjectives": (*words, *several.adjectives), "sizes": (*sizes, *several.sizes), "bound": "", "rows": 0}
+    same = replace(several, det="new" if several.noun else "a", **span, **looks)
+    placed = several.noun is None and _at(chunks, end).kind == "rel"  # "two doors, one in the north wall and one ..."
+    return (same, at, end) if words or sizes or placed else None
 
 
 def _kind_of(one: Chunk, several: Chunk) -> bool:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from itertools import combinations, product
 
 from robolayout.constraints import AssetRef, PointRef, WallRef
@@ -166,7 +167,11 @@ class AtPlaces:
         else:
             each = place.name in ("window", "door") and place.det in ("each", "both", "all")
             each = each and len(openings_meant(self.room, place)) == len(subjects)  # "curtains on both windows"
-            found = [tuple(self._ways_at(a, place, on=on, share=share and not each, under=under)) for a in subjects]
+            walls = [replace(place, words=(*one.split(),)) for one in " ".join(place.words).split(" and ")]
+            many = len(subjects) if place.name == "wall" and len(subjects) >= len(walls) else 0
+            to = [walls[i * len(walls) // many] if many else place for i in range(len(subjects))]
+            pairs = zip(subjects, to, strict=True)  # "shelves on the left and right walls"
+            found = [tuple(self._ways_at(a, at, on=on, share=share and not each, under=under)) for a, at in pairs]
             found = [ways[i : i + 1] for i, ways in enumerate(found)] if each else found
             yield from (Demand(ways) for ways in found if ways)
 
