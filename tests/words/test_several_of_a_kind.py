@@ -31,6 +31,7 @@ def told(text: str) -> Told:
         ("a round and a square table", [(1, "", "round table"), (1, "", "dining table")]),
         ("a round table and a square one", [(1, "", "round table"), (1, "square", "dining table")]),
         ("a single and a double bed", [(1, "", "single bed"), (1, "", "bed")]),
+        ("a cafe with tables for two and one sofa", [(2, "", "dining table"), (1, "", "sofa")]),
         ("a light and a table", [(1, "", "ceiling lamp"), (1, "", "dining table")]),
         ("a black and white rug", [(1, "black and white", "rug")]),
         ("both a round and a rectangular table", [(1, "", "round table"), (1, "rectangular", "dining table")]),

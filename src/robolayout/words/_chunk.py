@@ -17,7 +17,8 @@ WITHOUT_NOUN = re.compile(
     r"(?:(?:the |a )?\b(another|(?<=\ba )(?:second|third|fourth|fifth|sixth)(?! of)"
     r"|(?<=the )(?:other half(?! of)|others?|remaining|rest|first|second|third|last|former|latter))"
     r"(?: (two|three|four|five|six|[2-9]))?( ones?)?"
-    r"|(?:the|an?|(two|three|four|five|six|[2-9])) (?:(?!other)((?:\w+ )?\w+) )?ones?|all but (one|two|three)(?! of)) "
+    r"|(?:the|an?|(two|three|four|five|six|[2-9])(?= (?:\w+ ){0,2}ones )) (?:(?!other)((?:\w+ )?\w+) )?ones?"
+    r"|all but (one|two|three)(?! of)) "
 )
 """Phrases that leave out their noun: what picks, how many, whether "one" stands for the noun, an adjective."""
 

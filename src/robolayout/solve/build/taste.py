@@ -13,7 +13,7 @@ from robolayout.constraints.by_door import doorways
 from robolayout.solve.build.form import corners_of
 from robolayout.solve.build.member import box_of
 from robolayout.solve.build.places import Batch, targets
-from robolayout.solve.build.site import AT_WALL, Site, Spot
+from robolayout.solve.build.site import AT_WALL, NARROW, Site, Spot
 
 Cost = NDArray[np.float64]
 
@@ -56,7 +56,9 @@ def _along_walls(site: Site, batch: Batch, weights: Mapping[str, float]) -> Cost
     """Return the cost of where on its wall a thing stands and what it hides there."""
     _, width, _ = site.size(batch.cluster.anchor)
     boxes = [(box_of(m, site.size(m.name)), site.size(m.name)[2]) for m in batch.cluster.members if not m.bottom]
-    beside = [(box[1], box[3], height) for box, height in boxes if box[0] <= boxes[0][0][0] + AT_WALL]
+    beside = [
+        (y0, y1, height) for (x0, y0, _, y1), height in boxes if x0 <= boxes[0][0][0] + AT_WALL and y1 - y0 > NARROW
+    ]
     crown = max(member.bottom + site.size(member.name)[2] for member in batch.cluster.members)
     wished = site.wants[batch.cluster.anchor].walls
     elsewhere = max(wished.values(), default=0.0)
