@@ -1,6 +1,7 @@
 """Moves of a body that cannot slide: where what they sweep meets a thing, against shapely's own answer."""
 
 import math
+from itertools import product
 
 import numpy as np
 import pytest
@@ -53,8 +54,8 @@ def test_a_body_drives_to_what_it_is_said_to_get_to(body: str):
 def test_what_is_used_is_never_more_than_what_is_got_to_nor_that_than_where_it_stands():
     scene = rl.load_scene("examples/bedroom.json")
     layout, less = rl.generate(scene).layout, list[bool]()
-    for name in scene.by_name:
-        usage = judge_agent(scene, layout.moved(name, by=(0.4, 0.4)), rl.load_agent("wheelchair")).usage
+    for name, side in product(scene.by_name, (0.4, -0.4)):
+        usage = judge_agent(scene, layout.moved(name, by=(side, 0.4)), rl.load_agent("wheelchair")).usage
         for each in layout:
             assert usage.standing[each] >= usage.got_to[each] >= usage.usable[each]
         less.append(sum(usage.standing.values()) > sum(usage.usable.values()))
