@@ -124,3 +124,13 @@ def test_what_finds_room_only_late_goes_back_all_the_same() -> None:
         return bool(back[first] or not back[late])
 
     assert once_more(problem, shaken, no_worse) == pytest.approx(problem.start)
+
+
+def test_a_thing_goes_back_under_what_stands_on_it_and_is_where_it_belongs() -> None:
+    problem, merit = planned("bedroom")
+    target, slot = problem.start, problem.slot["night_stand-0"]
+    lamp = next(i for i, parent in enumerate(problem.parent) if parent == slot)
+    moved = target.copy()
+    moved[slot, :2] += 0.06 * target[slot, 2:]  # the lamp stays over it
+    found = once_more(problem, moved, lambda world: bool((world[lamp] == target[lamp]).all() and merit(world) == 0.0))
+    assert found == pytest.approx(target)

@@ -129,16 +129,21 @@ def squared(problem: Problem, world: Floats, no_worse: Callable[[Floats], bool])
 def _nearer(
     problem: Problem, world: Floats, slot: int, ways: Sequence[Way], no_worse: Callable[[Floats], bool]
 ) -> Floats:
-    """Return poses (n, 4) with one thing, and what stands on it, as far back as it may go in one go, in the first of some ways."""
+    """Return poses (n, 4) with one thing as far back as it may go in one go, in the first of some ways.
+
+    What stands on it goes along, or stays where it is if the thing is under it there, too.
+    """
     here, there = world[slot], problem.start[slot]
     off = relative(here, there)
     least = problem.away(world) - GAIN
     for along, across, turned in ways:
-        trial, heading = world.copy(), there if turned else here
+        trial, alone, heading = world.copy(), world.copy(), there if turned else here
         pose = compose(here, np.array([along * off[0], across * off[1], 1.0, 0.0]))
-        carry(problem, trial, slot, np.concatenate([pose[:2], heading[2:]]))
-        if problem.away(trial) < least and no_worse(trial):
-            return trial
+        alone[slot] = np.concatenate([pose[:2], heading[2:]])
+        carry(problem, trial, slot, alone[slot])
+        for one in (trial, alone) if slot in problem.parent else (trial,):
+            if problem.away(one) < least and no_worse(one):
+                return one
     return world
 
 
