@@ -91,12 +91,12 @@ def _wanted(reading: Reading, kind: str, usual: int, most: int) -> list[Wanted]:
     """Return the doors or windows that a text asks for, else as many as usual, as far as it speaks of "the" one or of several."""
     found = list[Wanted]()
     for place, span in (one for one in reading.parsed.openings if one[0].name == kind):
-        walls = [(*words.split(),) for words in " ".join(place.words).split(" and ")]
+        walls = place.apart
         large = {"large", "big", "wide", "huge"} & set(reading.span(*span).lower().split())
         count = min(place.number or (2 if place.plural else 1), 8)
-        for i, words in enumerate(walls):  # "windows in the north and west walls"
+        for i, wall in enumerate(walls):  # "windows in the north and west walls"
             share = max(count * (i + 1) // len(walls) - count * i // len(walls), 1)
-            found.append(Wanted(share, replace(place, words=words), bool(large)))
+            found.append(Wanted(share, wall, bool(large)))
     objects = [o for link in reading.parsed.links for o in link.objects if isinstance(o, Place)]
     told = {(sides(o),): o for o in objects if o.name == kind and sides(o)}
     there = {word for wanted in found for word in wanted.wall.words}

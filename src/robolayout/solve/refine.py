@@ -195,10 +195,14 @@ class Solver:
                 hopeless.add(slots[0])
 
     @property
+    def _guided(self) -> bool:
+        """Whether there is a guess that is worth keeping."""
+        return bool(self.problem.guessed) and not self.blind
+
+    @property
     def _kept(self) -> bool:
         """Whether no further room is built: hard demands and access are met, and all statements unless a guess is kept."""
-        guess = self.problem.guessed and not self.blind
-        return not self.verdict.broken if guess else self.verdict.right
+        return not self.verdict.broken if self._guided else self.verdict.right
 
     def _anew(self, stage: Stage) -> None:
         """Build rooms and search for them."""
@@ -281,8 +285,8 @@ class Solver:
 
     def _repair(self) -> None:
         """Place what is to blame anew for longer, now that all stages are there; statements of a guess that is kept get a few tries."""
-        kept = bool(self.problem.guessed) and not self.blind
-        most = 4 * self.effort.mendings if self.verdict.broken else self.effort.anywhere if kept else 0
+        few = self.effort.anywhere if self._guided else 0
+        most = 4 * self.effort.mendings if self.verdict.broken else few
         if most and not self.verdict.ok:
             self._say("repair")
             self.gained, self.number = self.judgements, len(self.stages) - 1

@@ -274,9 +274,7 @@ class About(References):
         again = again or (ends and relation in small.NEARNESS)
         begun = next(i for i, c in enumerate(self.chunks) if c.end == last.spans[-1][1])
         closed = self.chunks[begun - 1].kind == "and"
-        if (
-            self.chunks[begun - 1].value == LISTED and not again
-        ):  # "two shelves, a tall one and a low one, by the window"
+        if self.chunks[begun - 1].value == LISTED and not again:  # "two shelves, a low one and a tall one, by the door"
             return True
         had = "with" if relation == "flank" else ""
         own = (k for k in self.said.links if k.start >= self.began and k.relation != had)

@@ -14,7 +14,7 @@ from robolayout.words._tokens import count_of
 SAYING = ("is", "are", "of", "them", "which", "of which", "of them")
 """Words between what is listed and how it looks: "one of them is red"."""
 
-MARKS = ("and", "comma", "colon", "stop")
+BEFORE = ("and", "comma", "colon", "stop")
 """What stands before each thing of a list."""
 
 LISTED = "listed"
@@ -71,7 +71,7 @@ def _items(chunks: Sequence[Chunk], at: int, end: int, several: Chunk) -> list[I
     """Return what of several things is listed from one chunk to another."""
     found: list[Item] = []
     while at < min(end, len(chunks)):
-        item = _item(chunks, at, several) if chunks[at - 1].kind in MARKS else None
+        item = _item(chunks, at, several) if chunks[at - 1].kind in BEFORE else None
         found += [item] if item is not None else []
         at = item[2] if item is not None else at + 1
     return found

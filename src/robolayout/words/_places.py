@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
-from dataclasses import replace
 from itertools import combinations, product
 
 from robolayout.constraints import AssetRef, PointRef, WallRef
@@ -25,9 +24,9 @@ SAME = 0.05
 def walls_meant(room: Room, place: Place) -> list[Wall]:
     """Return the walls that the words may mean, all walls where nothing tells them apart."""
     walls: list[Wall] = []
-    for words in " ".join(place.words).split(" and "):
+    for one in place.apart:
         meant = list(room.walls)
-        for word in words.split():
+        for word in one.words:
             meant = _told(meant, grammar().walls.get(word, ""), room) or meant
         walls += [wall for wall in meant if wall not in walls]
     if place.by is None or place.by[1].name not in ("door", "window"):
@@ -167,7 +166,7 @@ class AtPlaces:
         else:
             each = place.name in ("window", "door") and place.det in ("each", "both", "all")
             each = each and len(openings_meant(self.room, place)) == len(subjects)  # "curtains on both windows"
-            walls = [replace(place, words=(*one.split(),)) for one in " ".join(place.words).split(" and ")]
+            walls = place.apart
             many = len(subjects) if place.name == "wall" and len(subjects) >= len(walls) else 0
             to = [walls[i * len(walls) // many] if many else place for i in range(len(subjects))]
             pairs = zip(subjects, to, strict=True)  # "shelves on the left and right walls"

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Set
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from robolayout.assets import Category
 from robolayout.assets.palette import COLORS, LOOKS
@@ -118,6 +118,11 @@ class Place:
     plural: bool = False  # whether several are meant
     det: str = ""  # the article
     by: tuple[str, Place] | None = None  # for a wall: what says which one ("opposite the door"), with the relation
+
+    @property
+    def apart(self) -> list[Place]:
+        """Return it once for each of several that are named: "the north and west walls" are two."""
+        return [replace(self, words=(*words.split(),)) for words in " ".join(self.words).split(" and ")]
 
 
 @dataclass(frozen=True, eq=False)
