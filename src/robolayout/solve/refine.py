@@ -225,17 +225,18 @@ class Solver:
 
     def _built(self, stage: Stage, count: int) -> Run | None:
         """Build and polish so many starts in each batch, and mend single things."""
-        self._mend(self.effort.mendings)
+        if not self.blind:
+            self._mend(self.effort.mendings)
         run: Run | None = None
         for _ in range(self.effort.built if count else 0):
             if self._kept or self.spent:
                 break
-            made = list[Floats]()
+            before, made = self.verdict, list[Floats]()
             while len(made) < count and not self._kept:
                 made.append(self.repair.builder.build(stage.world, stage.moving))
                 self.repair.proposals.bring_in(made[-1][None], stage.moving)
                 self._try(made[-1:])
-            if self.verdict.promise <= self.effort.nearly:
+            if self.verdict.promise <= self.effort.nearly or self.verdict is before:
                 self._mend(self.effort.mendings)
             if self._kept:
                 break
