@@ -11,7 +11,7 @@ from robolayout.words import _function_words as small
 from robolayout.words._appositions import LISTED
 from robolayout.words._chunk import Chunk
 from robolayout.words._references import References
-from robolayout.words._said import Mention, Place, laid, mentions, named, place_of, same, several, topped
+from robolayout.words._said import Item, Mention, Place, mentions, named, place_in, place_of
 from robolayout.words._ways import OTHER_SIDE, SEATS, TOPS
 
 CORNERS, WALLS = ("near", "far"), ("facing", "behind", "by", "with")
@@ -21,9 +21,9 @@ CORNERS, WALLS = ("near", "far"), ("facing", "behind", "by", "with")
 class About(References):
     """Finds what relations are about and what they lead to."""
 
-    def _objects(self, chunk: Chunk) -> list[Mention | Place]:
+    def _objects(self, chunk: Chunk) -> list[Item]:
         """Return what a relation leads to; "between" takes two, and a wall may be told by what it is opposite to."""
-        found: list[Mention | Place] = []
+        found: list[Item] = []
         self.target = None
         while self.at < len(self.chunks):
             self._skip()
@@ -34,19 +34,21 @@ class About(References):
             self.pending = []
             pronoun = self.chunks[self.at - 1].kind == "pron"
             two = chunk.value in ("amid", "between", "separates") and len(found) < 2
-            plural = several(item) or (isinstance(item, Place) and item.plural)
-            wants = two and (self._ahead().value == "from" or not (plural or pronoun))
+            wants = two and (
+                self._ahead().value == "from"
+                or not ((item.several if isinstance(item, Mention) else item.plural) or pronoun)
+            )
             both = chunk.value in ("amid", "facing", "under", "around", "near", "next", "on", "seen")
             both = both or (isinstance(item, Mention) and item.det == "both")
             if not (wants or (both and self._plain_pair(found, chunk))):
                 break
             self.at = min(self.at + 1, len(self.chunks))
-        if found and isinstance(found[-1], Place) and found[-1].name in ("wall", "corner"):
-            found[-1] = self._which_wall(found[-1])
+        if wall := place_in(found[-1:], "wall", "corner"):
+            found[-1] = self._which_wall(wall)
         self.target = found[-1] if found and isinstance(found[-1], Mention) else None
         return found
 
-    def _plain_pair(self, found: Sequence[Mention | Place], chunk: Chunk) -> bool:
+    def _plain_pair(self, found: Sequence[Item], chunk: Chunk) -> bool:
         """Return whether "and the ..." goes on with the same relation."""
         following = self.chunks[self.at : self.at + 3]
         kinds = [chunk.kind for chunk in following]
@@ -59,7 +61,7 @@ class About(References):
         ends = ("stop", "comma", "with", *(["verb"] if chunk.value == "amid" and len(found) < 2 else []))
         return third in ends and isinstance(found[-1], Mention)
 
-    def _object(self, chunk: Chunk) -> Mention | Place | None:
+    def _object(self, chunk: Chunk) -> Item | None:
         """Return the thing or place at the head of what follows, and go past it."""
         following = self._ahead()
         if following.kind == "thing":
@@ -107,7 +109,7 @@ class About(References):
     def _standing(self, meant: list[Mention], chunk: Chunk) -> list[Mention]:
         """Return what bears a small thing where furniture is said to stand beside it: "a globe is on the desk and a bin beside it"."""
         stands = chunk.value == "behind" or not any("object" in mention.thing.places for mention in self.about)
-        if len(meant) != 1 or not (laid(meant[0]) and stands and chunk.value in small.STANDING):
+        if len(meant) != 1 or not (meant[0].laid and stands and chunk.value in small.STANDING):
             return meant
         on = [k.objects for k in self.said.links if k.relation == "on" and meant[0].thing in named(k.subjects)]
         return mentions(on[-1]) or meant if on else meant
@@ -120,7 +122,7 @@ class About(References):
         self.at += 1
         return True
 
-    def _place_of(self, chunk: Chunk) -> Mention | Place:
+    def _place_of(self, chunk: Chunk) -> Item:
         """Return a place of the room, or the thing whose side it is ("the foot of the bed")."""
         following = self.chunks[self.at : self.at + 2]
         self._understood(chunk)
@@ -159,17 +161,16 @@ class About(References):
         self._understood(*following)
         return replace(wall, by=(how, place_of(following[1])))
 
-    def _in_turn(self, chunk: Chunk, objects: list[Mention | Place]) -> bool:
+    def _in_turn(self, chunk: Chunk, objects: list[Item]) -> bool:
         """Link each of several things to its own: "next to the window and the door, respectively"."""
         rest = takewhile(lambda other: other.kind != "stop", self.chunks[self.at :])
         if all(other.value != "respectively" for other in rest):
             return False
         own = self.subject if len(self.subject) > 1 else self.group
         own = own if len(own) > 1 else [Mention(m.thing, slice(i, i + 1)) for m in own for i in range(m.thing.count)]
-        to: list[tuple[Chunk, Mention | Place]] = []
+        to: list[tuple[Chunk, Item]] = []
         for item in objects:
-            walls = item.words if isinstance(item, Place) and "and" in item.words else ()
-            to += [(chunk, replace(item, words=(word,))) for word in walls if word != "and"] or [(chunk, item)]
+            to += [(chunk, one) for one in (item.apart if isinstance(item, Place) else [item])]
         while len(to) < len(own) and self._ahead().kind in ("and", "comma", "rel"):
             chunk = self._ahead() if self._ahead().kind == "rel" else chunk
             self.at += 1
@@ -179,9 +180,9 @@ class About(References):
         self.acted = own
         return len(own) == len(to)
 
-    def _other_side(self, chunk: Chunk, objects: list[Mention | Place]) -> tuple[Chunk, list[Mention | Place]]:
+    def _other_side(self, chunk: Chunk, objects: list[Item]) -> tuple[Chunk, list[Item]]:
         """Return a relation and what it leads to, where "on the other side" is the other side of what was spoken of."""
-        place = objects[0] if objects and isinstance(objects[0], Place) else None
+        place = place_in(objects[:1])
         if chunk.value == "opposite" and "other" in chunk.adjectives:  # "on the other side of the bed"
             said = [k for k in self.said.links if named(objects) & named(k.objects)]
             sides = [k for k in said if k.relation in OTHER_SIDE][-1:]
@@ -206,8 +207,8 @@ class About(References):
             self.at += 1
             item = self._object(self._ahead(-1))
             return mentions([item] if item is not None else [])
-        at = [k for k in self.said.links if k.relation in ("wall", "on", "by") and k.subjects and k.objects]
-        at = [k for k in at if isinstance(k.objects[0], Place) and k.objects[0].name == "wall"][-1:]
+        walled = (k for k in self.said.links if k.relation in ("wall", "on", "by"))
+        at = [k for k in walled if k.subjects and place_in(k.objects[:1], "wall")][-1:]
         there = [m for k in at for m in k.subjects if m.thing not in named(subjects)]
         return there if {"opposite", "opposing"} & {*place.words} else []
 
@@ -244,7 +245,7 @@ class About(References):
             told = told or (last[0].thing.category.on_object and not on_tops)  # "a laptop on the desk under the window"
         to = self._ahead().noun
         if self.target is not None and to is not None and last and relation in small.STANDING:
-            held = topped(last[0]) and not topped(self.target) and not to.category.on_object
+            held = last[0].topped and not self.target.topped and not to.category.on_object
             told = told or held  # "bottles on the shelves behind the counter"
         if self.target is not None and told and self.acted:
             return [self.target]
@@ -252,7 +253,7 @@ class About(References):
             return [self.target]  # "toys in a box under the window"
         if relation in small.ORDERS and last and last[0].thing.count == 1:
             return list(self.group or self.subject)  # "fridge, stove and sink in a row"
-        if relation == "on" and last and laid(last[0]) and len(self.group) > 1:
+        if relation == "on" and last and last[0].laid and len(self.group) > 1:
             it = self._ahead().kind == "pron"
             linked = {m for link in self.said.links if not it or link.relation != "with" for m in link.subjects}
             linked -= {last[0]}
@@ -267,9 +268,9 @@ class About(References):
         """
         *earlier, last = (mention.thing for mention in self.group)
         if relation == "around":
-            return all(map(sat_on, self.group))
+            return all(mention.sat_on for mention in self.group)
         to = next((c for c in self.chunks[self.at :] if c.kind not in ("filler", "style")), Chunk("", 0, 0))
-        again = to.kind == "pron" or any(same(thing, to) for thing in (*earlier, last))
+        again = to.kind == "pron" or any(thing.same(to) for thing in (*earlier, last))
         ends = to.kind in ("", "and", "comma", "stop")  # "a bed, a desk beneath"
         again = again or (ends and relation in small.NEARNESS)
         begun = next(i for i, c in enumerate(self.chunks) if c.end == last.spans[-1][1])
@@ -280,7 +281,7 @@ class About(References):
         own = (k for k in self.said.links if k.start >= self.began and k.relation != had)
         if again or not closed or self.target is not None or {m.thing for k in own for m in k.subjects} & {*earlier}:
             return False
-        where, many = _where(relation, to), relation == "flank" and any(map(several, self.group))
+        where, many = _where(relation, to), relation == "flank" and any(mention.several for mention in self.group)
         kinds = (thing.noun.categories for thing in earlier)
         barred = bool(where) and not all({*where} & {at for kind in any_of for at in kind.places} for any_of in kinds)
         if many or barred or relation not in small.SHARED:
@@ -341,8 +342,3 @@ def _where(relation: str, to: Chunk) -> tuple[str, ...]:
     if relation in ("on", "in") and to.kind == "thing" and not flat:
         return ("object",)
     return ("floor",) if relation in ("on", "in", "wall", "under") else ()
-
-
-def sat_on(mention: Mention) -> bool:
-    """Return whether one sits on a thing."""
-    return mention.thing.head in SEATS

@@ -19,7 +19,7 @@ from robolayout.words._places import (
     walls_meant,
 )
 from robolayout.words._rows import ToldRows, alike, in_rows, neighbours, on_a_wall
-from robolayout.words._said import Link, Mention, Place, Thing, mentions, named, place_in
+from robolayout.words._said import Link, Mention, Place, Thing, mentions, named, place_in, places
 from robolayout.words.demands import Demand, by_ways, single, stated
 
 
@@ -107,8 +107,7 @@ class Demander(AtPlaces):
     def _asked(self, link: Link) -> Asked:
         """Return of which assets a link asks something."""
         subjects = [name for mention in link.subjects for name in self._named(mention)]
-        places = [item for item in link.objects if isinstance(item, Place)]
-        return Asked(subjects, [self._named(item) for item in mentions(link.objects)], places)
+        return Asked(subjects, [self._named(item) for item in mentions(link.objects)], places(link.objects))
 
     def _named(self, mention: Mention) -> tuple[str, ...]:
         names = self.names.get(mention.thing, ())

@@ -12,7 +12,7 @@ from robolayout.assets import category_of
 from robolayout.constraints import Relation
 from robolayout.scene import Layout, Scene
 from robolayout.words._lexicon import grammar
-from robolayout.words._said import Mention, Place
+from robolayout.words._said import Item, Place
 from robolayout.words._tokens import Measure
 from robolayout.words._ways import SEATS
 from robolayout.words.demands import Demand
@@ -76,7 +76,7 @@ def said(demand: Demand) -> str:
     return f"{first} or one of {len(demand.ways) - 1} other ways" if len(demand.ways) > 1 else first
 
 
-def shown(item: Mention | Place) -> str:
+def shown(item: Item) -> str:
     """Return a thing or place in words."""
     if isinstance(item, Place):
         return " ".join((*item.words, item.name, *((item.by[0], item.by[1].name) if item.by is not None else ())))

@@ -8,7 +8,7 @@ from itertools import pairwise
 
 from robolayout.words import _function_words as small
 from robolayout.words._chunk import MARKS, Chunk
-from robolayout.words._said import Parsed, named, same
+from robolayout.words._said import Parsed, named
 from robolayout.words._tokens import count_of
 
 
@@ -54,7 +54,7 @@ def _idle(chunks: Sequence[Chunk], said: Parsed) -> set[int]:
 def _named(chunk: Chunk, said: Parsed) -> bool:
     """Return whether a noun phrase only names again what another row is about: no more of it, and not otherwise."""
     again = [thing for thing in said.things if (chunk.start, chunk.end) in thing.spans[1:]]
-    alike = [thing for thing in said.things if same(thing, chunk)]
+    alike = [thing for thing in said.things if thing.same(chunk)]
     known = {word for thing in alike for word in (*thing.adjectives, *thing.told, *thing.noun.said.split())}
     return any((chunk.number or 1) <= thing.count for thing in again) and {*chunk.adjectives} <= known | small.PICKING
 

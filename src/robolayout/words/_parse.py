@@ -15,7 +15,7 @@ from robolayout.words._chunk import NOTHING, Chunk
 from robolayout.words._leftover import leftover
 from robolayout.words._lexicon import grammar
 from robolayout.words._relations import AIDS, Relating
-from robolayout.words._said import Link, Mention, Parsed, Place, mentions, place_of, same, several, sides, topped
+from robolayout.words._said import Link, Mention, Parsed, Place, mentions, place_in, place_of, sides
 from robolayout.words._tokens import count_of
 from robolayout.words._ways import SEATS, TOPS
 
@@ -49,7 +49,7 @@ class Parser(Relating):
         return self.said
 
     def _on_stop(self, chunk: Chunk | None) -> None:
-        if self.fronted is not None and self.empty and any(isinstance(item, Place) for item in self.fronted[1][:1]):
+        if self.fronted is not None and self.empty and place_in(self.fronted[1][:1]):
             self._keep_empty(*self.fronted)  # "South wall: nothing."
         self.spoken = list({mention.thing: mention for mention in (*self.recent, *self.targets)}.values())
         self.before = self.subject or (self.recent if self.fronted else self.group) or self.before
@@ -87,7 +87,7 @@ class Parser(Relating):
         if chunk.value == "all" and self._ahead().kind == "style" and self.recent:
             self.subject, self.verb = list(self.recent), True  # "a sofa and two chairs, all grey"
         if chunk.value == "all" and self._ahead().kind == "rel" and self.recent:  # "two chairs, all on a rug"
-            self._these([m for m in self.recent if not topped(m)])
+            self._these([m for m in self.recent if not m.topped])
             self.acted, self.holder = self.group, []
         last = self.said.links[-1] if self.said.links else None
         if chunk.value == "too" and last is not None and self.group and not self.acted and last.start < self.began:
@@ -169,12 +169,12 @@ class Parser(Relating):
             self._these([Mention(t) for t in self.said.things if placed and t.category.on_floor])
             return
         if chunk.value == "both" and self._ahead().kind == "style":  # "two armchairs, both red"
-            self.subject, self.verb = [m for m in self.recent if several(m)][-1:] or self.recent[-2:], True
+            self.subject, self.verb = [m for m in self.recent if m.several][-1:] or self.recent[-2:], True
             return
         room = chunk.value == "it" and self.before[:1] and self.before[0].det in ("both", "all")
-        one = len(self.before) == 1 and not several(self.before[0]) and not self.group
+        one = len(self.before) == 1 and not self.before[0].several and not self.group
         if one and chunk.value in (*small.EVERY, "they") and chunk.value != "both":
-            many = [m for m in self.spoken if several(m)]  # "a bed flanked by nightstands; each of them ..."
+            many = [m for m in self.spoken if m.several]  # "a bed flanked by nightstands; each of them ..."
             self.before = many[-1:] or self.before
         several_meant = chunk.value in small.SEVERAL and (not self.group or self._previous(chunk) in ("and", ","))
         if several_meant and (self.before or len([*self.recent, *self.targets]) > 1):  # "..., and both of them face it"
@@ -247,7 +247,7 @@ class Parser(Relating):
 
     def _none_of(self, chunk: Chunk) -> Chunk:
         """Return all of what was named before, where none of it is to stand as a relation says: "no bookcase blocks the door"."""
-        again = any(same(thing, chunk) for thing in self.said.things)
+        again = any(thing.same(chunk) for thing in self.said.things)
         if not (self.refusing and self._ahead().kind == "rel" and again):
             return chunk
         self.negated = True
@@ -311,7 +311,7 @@ class Parser(Relating):
 
     def _per_row(self, chunk: Chunk) -> bool:
         """Return whether a noun says how many of a thing each of its rows has: "three rows of desks, four desks in each row"."""
-        rows = next((thing for thing in reversed(self.said.things) if thing.rows > 0 and same(thing, chunk)), None)
+        rows = next((thing for thing in reversed(self.said.things) if thing.rows > 0 and thing.same(chunk)), None)
         if rows is None or not chunk.number or (self._ahead().value, self._ahead(1).value) != ("in", "each row"):
             return False
         rows.number = rows.rows * chunk.number
@@ -345,7 +345,7 @@ class Parser(Relating):
         """Return whether what another thing has is on it or at it: what can stand nowhere else, what a table has first, seats."""
         tops = holder.thing.head in ("table", "desk", "counter", "island")
         told = self._ahead(-2).kind == "with"  # "a wardrobe with a mirror"
-        return (topped(mention) or (tops and not joined and _accessory(mention)) or told) and not topped(holder)
+        return (mention.topped or (tops and not joined and _accessory(mention)) or told) and not holder.topped
 
     def _on_part(self, chunk: Chunk) -> None:
         """A place of the room that no relation leads to: what it has, doors and windows that are asked for."""
@@ -380,10 +380,8 @@ class Parser(Relating):
 
     def _on_opening(self, chunk: Chunk) -> None:
         """A door or window: it is asked for where a wall is told, or a number, or "a"."""
-        at = self.fronted[1][0] if self.fronted is not None and self.fronted[1] and not self.group else None
-        wall = self._opening_wall() or (
-            at if isinstance(at, Place) and at.name == "wall" else Place("wall", sides(chunk))
-        )
+        at = self.fronted[1][:1] if self.fronted is not None and not self.group else []
+        wall = self._opening_wall() or place_in(at, "wall") or Place("wall", sides(chunk))
         if wall.words or wall.by or self.holder or chunk.number or chunk.det == "a":
             place = replace(place_of(chunk), words=wall.words, by=wall.by)
             self.said.openings.append((place, (chunk.start, self._ahead(-1).end)))

@@ -8,19 +8,7 @@ from dataclasses import replace
 from robolayout.words import _function_words as small
 from robolayout.words._chunk import Chunk
 from robolayout.words._lexicon import grammar
-from robolayout.words._said import (
-    ONE_EACH,
-    Link,
-    Mention,
-    Place,
-    Thing,
-    differs,
-    mentions,
-    named,
-    same,
-    same_words,
-    several,
-)
+from robolayout.words._said import ONE_EACH, Item, Link, Mention, Place, Thing, mentions, named, place_in, places
 from robolayout.words._spoken import Spoken
 from robolayout.words._tokens import APART
 from robolayout.words._ways import OTHER_SIDE, SEATS, SLEPT_ON
@@ -78,9 +66,9 @@ class References(Spoken):
         if chunk.noun is None or not (several or chunk.det == "each"):
             return []
         ends = grammar().groups.get(chunk.noun.said, ())
-        found = [t for t in self.said.things if same(t, chunk) or t.head in ends]
+        found = [t for t in self.said.things if t.same(chunk) or t.head in ends]
         count = sum(thing.count for thing in found)
-        again = any(same_words(thing, chunk) for thing in found) or (len(found) == 1 and same(found[0], chunk))
+        again = any(thing.same_words(chunk) for thing in found) or (len(found) == 1 and found[0].same(chunk))
         told = chunk.number or (2 if chunk.det == "both" else count)
         more = {kind for kind in chunk.noun.others if kind.split()[-1] in ends} - {thing.noun.kind for thing in found}
         again = again or bool(more)
@@ -119,17 +107,17 @@ class References(Spoken):
         bare = not chunk.det and chunk.number is None
         own = named(self.about if target else ())
         # nothing stands at itself: "a dog bed at the foot of the bed"
-        fits = [t for t in self.said.things if same(t, chunk) and (t not in own or same_words(t, chunk))]
+        fits = [t for t in self.said.things if t.same(chunk) and (t not in own or t.same_words(chunk))]
         more = [t for t in fits if bare and chunk.plural and t.count == 1]  # "a high chair and chairs"
         fits = [t for t in fits if not (chunk.rows and t in more)]
-        fits = [t for t in fits if same_words(t, chunk)] or [t for t in fits if t not in more]
-        fits = [t for t in fits if not differs(t, chunk)]
+        fits = [t for t in fits if t.same_words(chunk)] or [t for t in fits if t not in more]
+        fits = [t for t in fits if not t.differs(chunk)]
         fits = [t for t in fits if {*chunk.adjectives} & {*t.adjectives, *t.told}] or fits
         last, number = fits[-1] if fits else None, chunk.number
         if last is None or not self._has_so_many(last, chunk.det):
             return None
         said = {word.removesuffix("s") for word in (*chunk.adjectives, *chunk.noun.said.split())}
-        alike, one = same_words(last, chunk), number == 1 and not chunk.det
+        alike, one = last.same_words(chunk), number == 1 and not chunk.det
         owned = {word.removesuffix("s") for word in chunk.adjectives} if alike else said
         if last.count > 1 and not chunk.plural and owned & small.PEOPLE:
             return None  # "the teacher's desk"
@@ -166,7 +154,7 @@ class References(Spoken):
             return False
         return any(c.kind in ("and", "comma", "not") for c in self.chunks[first + 1 : self.at - 1])
 
-    def _number_of(self, item: Mention | Place) -> int:
+    def _number_of(self, item: Item) -> int:
         """Return how many there are of a thing, of corners or walls, of doors or windows that are asked for."""
         if isinstance(item, Mention):
             return item.thing.count
@@ -179,16 +167,16 @@ class References(Spoken):
         usual = 2 if item.det in ("each", "both", "all") else 1
         return item.number or (corners if item.name in ("corner", "wall") else asked or usual)
 
-    def _gaps(self, item: Mention | Place) -> int:
+    def _gaps(self, item: Item) -> int:
         """Return how many gaps there are between neighbours of several things that stand in rows or along walls."""
         if isinstance(item, Place):
             return max(self._number_of(item) - 1, 1)
         at = [to for link in self.said.links if item.thing in named(link.subjects) for to in link.objects]
-        walls = [to for to in at if isinstance(to, Place) and to.name == "wall"]
+        walls = places(at, "wall")
         rows = (self._number_of(wall) if wall.det in ("each", "both") else wall.number or 1 for wall in walls)
         return max(self._number_of(item) - max(item.thing.rows, *rows, 1), 1)
 
-    def _on_both_sides(self, chunk: Chunk, subjects: Sequence[Mention], objects: Sequence[Mention | Place]) -> Chunk:
+    def _on_both_sides(self, chunk: Chunk, subjects: Sequence[Mention], objects: Sequence[Item]) -> Chunk:
         """Count what stands at each side of something; return the relation, which is "around" for several seats."""
         each = self.having or "each" in chunk.adjectives  # "a sofa and a chair on either side of it" are one each
         for mention in subjects if each else subjects[: len(subjects) == 1]:
@@ -202,12 +190,10 @@ class References(Spoken):
         several = all(mention.at_a_table and (mention.thing.number or 0) > 2 for mention in subjects)
         return replace(chunk, value="around") if several else chunk
 
-    def _at_middle(
-        self, chunk: Chunk, subjects: Sequence[Mention], objects: Sequence[Mention | Place]
-    ) -> Sequence[Mention | Place]:
+    def _at_middle(self, chunk: Chunk, subjects: Sequence[Mention], objects: Sequence[Item]) -> Sequence[Item]:
         """Return the middle of a wall where "in the middle" was said right before: "a bed in the centre against the wall"."""
-        last, to = self.said.links[-1] if self.said.links else None, objects[0] if objects else None
-        if chunk.value != "wall" or last is None or not isinstance(to, Place) or to.name != "wall":
+        last, to = self.said.links[-1] if self.said.links else None, place_in(objects[:1], "wall")
+        if chunk.value != "wall" or last is None or to is None:
             return objects
         middle = [c.value for c in self.chunks if c.end == chunk.start] == ["middle"]
         if not middle or last.subjects != tuple(subjects) or mentions(last.objects):
@@ -216,25 +202,23 @@ class References(Spoken):
         self.said.read.update(range(last.start, last.end))
         return [replace(to, words=(*to.words, "middle"))]
 
-    def _led_back(self, relation: str) -> Sequence[Mention | Place]:
+    def _led_back(self, relation: str) -> Sequence[Item]:
         """Return what a relation leads to where nothing is named: "a loft bed with a desk underneath", "a bed on the left"."""
         if relation == "opposite":  # of a single seat, bed or desk: "a bed ..., a mirror on the wall opposite"
             faced = self._last_of(("desk", *SEATS, *SLEPT_ON), named(self.about))
-            return [m for m in faced if not several(m)]
+            return [m for m in faced if not m.several]
         if self.holder or relation not in ("left", "right"):
             return self.holder or self._meant("it", relation)
         side, of = self.contrast
         alone = named(self.recent) <= named(self.about)
-        if not (side == relation and of) and alone and len(self.before) == 1 and not several(self.before[0]):
+        if not (side == relation and of) and alone and len(self.before) == 1 and not self.before[0].several:
             of = self.before  # "A sofa is in the middle. On the left stands a lamp."
             self.contrast = (OTHER_SIDE[relation], of)
         elif side != relation:
             of = []
         return of or [Place("side", (relation,))]
 
-    def _counted(
-        self, chunk: Chunk, subjects: Sequence[Mention], objects: Sequence[Mention | Place]
-    ) -> Sequence[Mention]:
+    def _counted(self, chunk: Chunk, subjects: Sequence[Mention], objects: Sequence[Item]) -> Sequence[Mention]:
         """Settle how many things are asked for that stand at each of several, at walls or in rows; return them."""
         shared = chunk.value in small.SHARED_OUT and all(m.thing.number in (None, 1) for m in subjects)
         one_each = ("each", "both", "all") if shared else ("each",) if chunk.value not in ("apart", "far") else ()
@@ -249,7 +233,7 @@ class References(Spoken):
                 dealt = mention.thing in self.dealt or mention.pick is not None  # "two lamps, one in each corner"
                 if mention.thing.times == 1 and not owned and not dealt:
                     mention.thing.times = count * (2 if chunk.value == "flank" and mention.thing.number == 1 else 1)
-        lined = (to for to in objects if chunk.value == "wall" and isinstance(to, Place) and to.name == "wall")
+        lined = places(objects, "wall") if chunk.value == "wall" else []
         several = not {"line", "lines", "lined", "lining"}.isdisjoint(chunk.adjectives)  # not "along the walls"
         walls = next((to.number or 2 * (to.plural and several) for to in lined), 0)
         for thing in (mention.thing for mention in subjects):
@@ -259,7 +243,7 @@ class References(Spoken):
             mention.thing.rows = mention.thing.rows or chunk.rows  # "clothing racks in three rows"
         return subjects
 
-    def _link(self, chunk: Chunk, subjects: Sequence[Mention], objects: Sequence[Mention | Place]) -> None:
+    def _link(self, chunk: Chunk, subjects: Sequence[Mention], objects: Sequence[Item]) -> None:
         """Note a relation; what stands at each of several things is as many times there."""
         self.about = list(subjects)
         led = objects or (self._led_back(chunk.value) if chunk.value in small.LED_BACK else [])
@@ -269,7 +253,7 @@ class References(Spoken):
         subjects = self._counted(chunk, subjects, objects)
         if chunk.value == "flank":
             chunk = self._on_both_sides(chunk, subjects, objects)
-        if chunk.value in ("left", "right") and led and isinstance(led[0], Place) and led[0].name == "side":
+        if chunk.value in ("left", "right") and place_in(led[:1], "side"):
             chunk = replace(chunk, value="in")  # a half of the room
         objects = self._at_middle(chunk, subjects, led)
         if objects:  # "a bed with a lamp on either side": the lamps are not on the bed
@@ -278,9 +262,8 @@ class References(Spoken):
             self.said.links[:] = [k for k in self.said.links if not k.had(own, None if elsewhere else to)]
         low, high = chunk.measure.values if chunk.measure else (0.0, 0.0)
         about = (tuple(subjects), tuple(objects))
-        several = any(isinstance(item, Place) and item.name == "wall" and item.plural for item in objects)
-        several = several or chunk.value == "rows"  # "lined up in two rows"
-        for row in [k for k in self.said.links if several and k.relation == "row" and k.subjects == about[0]]:
+        lines = any(wall.plural for wall in places(objects, "wall")) or chunk.value == "rows"  # "lined up in two rows"
+        for row in [k for k in self.said.links if lines and k.relation == "row" and k.subjects == about[0]]:
             self.said.links.remove(row)  # "lined up along two opposite walls": no one line
             self.said.read.update(range(row.start, row.end))
         self.said.links.append(Link(chunk.value, *about, chunk.start, chunk.end, (low, high), chunk.rows))

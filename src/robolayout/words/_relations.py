@@ -10,9 +10,9 @@ from itertools import dropwhile, pairwise, takewhile
 
 from robolayout.scene import FLAT_HEIGHT
 from robolayout.words import _function_words as small
-from robolayout.words._about import About, sat_on
+from robolayout.words._about import About
 from robolayout.words._chunk import NOTHING, Chunk
-from robolayout.words._said import Link, Mention, Place, mentions, named, place_in, place_of, topped
+from robolayout.words._said import Item, Link, Mention, Place, mentions, named, place_in, place_of
 from robolayout.words._tokens import Measure
 from robolayout.words._ways import SEATS, TOPS
 
@@ -124,7 +124,7 @@ class Relating(About):
         """Note what is asked of the room itself: an open middle, a way to something, daylight at it."""
         if chunk.value not in ("open", "way", "light"):
             return False
-        found: list[Mention | Place] = []
+        found: list[Item] = []
         while chunk.value != "open" and self.at < len(self.chunks):
             following, after = self._ahead(), self._ahead(1)
             joins = following.kind == "and" and found and (after.kind == "part" or after.det == "the")
@@ -161,7 +161,7 @@ class Relating(About):
             self._on_with(chunk)
             return
         beyond = self._ahead()
-        laid = chunk.value == "on" and any(map(topped, subjects))  # "a globe on the desk's left side"
+        laid = chunk.value == "on" and any(mention.topped for mention in subjects)  # "a globe on the desk's left side"
         if beyond.kind == "thing" and beyond.value and chunk.value in ("on", "by") and not laid:
             chunk = replace(chunk, value=beyond.value)
         first, its = self.at, chunk.det == "its"
@@ -169,7 +169,7 @@ class Relating(About):
         of_it = its and not {"its", "their"} & {*chunk.adjectives}  # "on the right a bed"
         whose = "them" if "their" in chunk.adjectives else "it"
         it = self._led_back(chunk.value) if of_it else self._meant(whose, chunk.value)
-        objects = list[Mention | Place](it) if its else self._objects(chunk)
+        objects = list[Item](it) if its else self._objects(chunk)
         self._keep(chunk.value, objects, pronoun=its or self._ahead(-1).kind == "pron", fronted=not subjects)
         if not self._in_turn(chunk, objects):
             self._relate_to(chunk, subjects, objects, first, every=every)
@@ -189,7 +189,7 @@ class Relating(About):
         return True
 
     def _relate_to(
-        self, chunk: Chunk, subjects: list[Mention], objects: list[Mention | Place], first: int, *, every: bool
+        self, chunk: Chunk, subjects: list[Mention], objects: list[Item], first: int, *, every: bool
     ) -> None:
         """Settle what a relation is about and leads to, and note what it says."""
         bare = chunk.value == "on" and not objects and self._ahead().kind in ("and", "comma", "stop", "")
@@ -198,7 +198,7 @@ class Relating(About):
             held = self.holder or [m for m in self.subject if m not in subjects] or list(on[-1] if on else self.subject)
             chunk, objects = replace(chunk, value="on"), objects or list(held)
         chunk, objects = self._other_side(chunk, objects)
-        place = objects[0] if objects and isinstance(objects[0], Place) else None
+        place = place_in(objects[:1])
         sides = place.name == "side" if place else chunk.value in ("flank", "oneside") and not objects
         last = self.said.links[-1] if self.said.links else None
         again = last is not None and last.relation == chunk.value == "flank" and last.subjects == tuple(self.acted)
@@ -227,34 +227,32 @@ class Relating(About):
             subjects[0].thing.number = chunk.number  # "in four rows of six"
         self._relate(chunk, subjects, objects, first)
 
-    def _held_by(
-        self, chunk: Chunk, subjects: list[Mention], objects: list[Mention | Place]
-    ) -> tuple[list[Mention], list[Mention | Place]]:
+    def _held_by(self, chunk: Chunk, subjects: list[Mention], objects: list[Item]) -> tuple[list[Mention], list[Item]]:
         """Return what a relation is about and leads to, where that is not what a thing has but the thing itself."""
         held = self.having and self.holder and not self.listed
         if chunk.value == "flank" and not objects and held and self.holder[0].thing.count == 2 and self.recent[2:]:
             led = [m for m in self.recent if m.thing not in (self.holder[0].thing, subjects[0].thing)]
             return self.holder, [*led[:1]]  # "two nightstands with lamps on either side"
-        if chunk.value == "middle" and not objects and held and topped(self.holder[0]):
+        if chunk.value == "middle" and not objects and held and self.holder[0].topped:
             on = [list(k.objects) for k in self.said.links if k.relation == "on" and self.holder[0] in k.subjects]
             return subjects, on[-1] if on else objects  # "plates on the table, with a candle in the middle"
         led = [before.kind for before, c in pairwise(self.chunks[: self.at]) if c.kind == "with"][-1:]
-        if chunk.value == "middle" and not objects and held and led == ["comma"] and topped(self.group[-1]):
+        if chunk.value == "middle" and not objects and held and led == ["comma"] and self.group[-1].topped:
             return subjects, list(self.holder)  # "a table by the wall, with a bowl in the middle"
         place = isinstance(objects[0], Place) if objects else chunk.value == "middle"
-        laid = chunk.value in small.LAID and held and topped(self.group[-1]) and not topped(self.holder[0])
+        laid = chunk.value in small.LAID and held and self.group[-1].topped and not self.holder[0].topped
         laid = laid and (chunk.value != "above" or len(objects) > 1)  # "a shelf with bottles above them"
         if laid and chunk.det == "its" and self.target is not None:
             return [self.target], list(self.holder)  # "a bed with a lamp on the nightstand to its right"
         if laid and chunk.det == "its":  # "an armchair by the window, a table with a cup to its right"
-            before = list[Mention | Place](m for m in self.targets if m.thing is not self.holder[0].thing)
+            before = list[Item](m for m in self.targets if m.thing is not self.holder[0].thing)
             objects = before[-1:] or objects
             laid = objects != self.holder
         its = self._ahead(-1).kind == "pron" and named(self.holder) & named(objects)
         laid = laid and not its  # "a chair with a lamp behind it"
         hung = place and chunk.value in ("on", "hanging")  # "a sofa with the TV on the wall"
-        low = held and not topped(self.group[-1]) and not self.holder[0].thing.category.on_floor
-        sat = held and sat_on(self.group[-1]) and self.holder[0].thing.head in TOPS
+        low = held and not self.group[-1].topped and not self.holder[0].thing.category.on_floor
+        sat = held and self.group[-1].sat_on and self.holder[0].thing.head in TOPS
         sat = sat and (chunk.value != "opposite" or self.group[-1].thing.head not in small.LOUNGE)
         others = [
             m for m in objects if isinstance(m, Mention) and m.thing.count > 1 and m.thing not in named(self.holder)
@@ -266,18 +264,18 @@ class Relating(About):
             and self._ahead(-1).kind == "pron"
             and self.holder[0].thing.count == 1
         ):
-            objects = list[Mention | Place](others)  # "two shelves and a table with four chairs in front of them"
+            objects = list[Item](others)  # "two shelves and a table with four chairs in front of them"
         to_it = named(self.holder) & named(objects)
         hangs = held and chunk.value == "above" and not {"floor", "object"} & {*self.holder[0].thing.places}
         laid = laid or bool(((sat and chunk.value in small.STANDING) or hangs) and objects and not to_it)
-        seats = held and bool(objects) and sat_on(self.group[-1])  # "a table with four chairs on a rug"
+        seats = held and bool(objects) and self.group[-1].sat_on  # "a table with four chairs on a rug"
         laid = laid or (seats and _over_or_under(chunk.value, objects[0]) and not to_it)
         swapped = (place or laid) and held and not (hung or (low and not hangs)) and subjects == self.group[-1:]
         return (self.holder if swapped else subjects), objects
 
-    def _refused(self, chunk: Chunk, subjects: Sequence[Mention], objects: Sequence[Mention | Place]) -> None:
+    def _refused(self, chunk: Chunk, subjects: Sequence[Mention], objects: Sequence[Item]) -> None:
         """Note what must not be so: where nearness is refused, a gap is asked for; of what must not be there nothing is."""
-        place = bool(objects) and isinstance(objects[0], Place)
+        place = place_in(objects[:1])
         barred = chunk.value in ("blocks", "wall")
         if self.empty and place:
             self._keep_empty(chunk, objects)
@@ -286,13 +284,12 @@ class Relating(About):
             self._link(replace(chunk, value="apart", measure=gap), subjects, objects)
         self.refusing = False
 
-    def _keep_empty(self, chunk: Chunk, objects: Sequence[Mention | Place]) -> None:
+    def _keep_empty(self, chunk: Chunk, objects: Sequence[Item]) -> None:
         """Note that nothing is to stand at a place."""
-        walls = isinstance(objects[0], Place) and objects[0].name == "wall"
-        gap = (0.0, 0.0) if walls else (KEPT_OFF, math.inf)
+        gap = (0.0, 0.0) if place_in(objects[:1], "wall") else (KEPT_OFF, math.inf)
         self.said.links.append(Link("bare", (), tuple(objects), chunk.start, chunk.end, gap))
 
-    def _relate(self, chunk: Chunk, subjects: list[Mention], objects: Sequence[Mention | Place], first: int) -> None:
+    def _relate(self, chunk: Chunk, subjects: list[Mention], objects: Sequence[Item], first: int) -> None:
         """Note what a relation says."""
         if self.refusing:
             self._refused(chunk, subjects, objects)
@@ -312,13 +309,12 @@ class Relating(About):
         elif not subjects and self._of_a_zone(first - 1):
             self._put_zone(chunk, objects)
         elif not subjects or (objects and self._turned_round(first, self.at)):
-            place = self.fronted[1][:1] if self.fronted is not None and not self.group else []
-            also = None if self.group else self.also
-            self.also = self.fronted if place and isinstance(place[0], Place) else also
+            place = place_in(self.fronted[1][:1]) if self.fronted is not None else None
+            self.also = None if self.group else self.fronted if place else self.also
             self.fronted = (chunk, list(objects))
             self.group, self.acted = [], []
         elif subjects:
-            there = self._walls(subjects, objects[0]) if objects and isinstance(objects[0], Place) else []
+            there = self._walls(subjects, place) if (place := place_in(objects[:1])) else []
             self._link(replace(chunk, value="atwalls") if there else chunk, subjects, [*objects, *there])
             self.acted = subjects
             self.verb = False
@@ -330,7 +326,7 @@ class Relating(About):
         before = [chunk.kind for chunk in self.chunks[max(index - 2, 0) : index]]
         return self.fronted is None and before[-1:] != [] and before[-1] in small.ZONES and before[0] != "rel"
 
-    def _put_zone(self, chunk: Chunk, objects: Sequence[Mention | Place]) -> None:
+    def _put_zone(self, chunk: Chunk, objects: Sequence[Item]) -> None:
         """Note where the part of the room is that was named last: "a sleeping area on the left"."""
         side = not objects and chunk.value in ("left", "right")
         place = (replace(chunk, value="in"), [Place("side", (chunk.value,))]) if side else (chunk, objects)
@@ -396,7 +392,7 @@ class Relating(About):
             self.targets.append(Mention(tables[-1]))
         return True
 
-    def _reversed(self, chunk: Chunk, subjects: list[Mention], objects: Sequence[Mention | Place]) -> None:
+    def _reversed(self, chunk: Chunk, subjects: list[Mention], objects: Sequence[Item]) -> None:
         """Link what is said from the other side: "flanked by two lamps"."""
         moved = mentions(objects)
         while chunk.value in ("holds", "flanked") and self._ahead().kind == "and" and (also := self._ahead(1).noun):
@@ -417,7 +413,7 @@ class Relating(About):
             self.group = self.acted = list(subjects) if held else moved  # "a shelf full of toys along the wall"
 
 
-def _over_or_under(relation: str, item: Mention | Place) -> bool:
+def _over_or_under(relation: str, item: Item) -> bool:
     """Return whether something is a rug that things are on, or hangs from the ceiling over them."""
     if isinstance(item, Place):
         return False

@@ -11,6 +11,7 @@ from robolayout.words._chunk import Chunk
 from robolayout.words._function_words import COMPASS
 from robolayout.words._lexicon import Noun, grammar
 from robolayout.words._tokens import Measure
+from robolayout.words._ways import SEATS
 
 ONE_EACH = ("chair", "desk")
 """Things of which everyone has one, where several are named without a number."""
@@ -72,6 +73,28 @@ class Thing:
         one = usual if self.number is None else self.number + (self.bound == "more")
         return one * self.times
 
+    def same(self, chunk: Chunk) -> bool:
+        """Return whether a noun phrase may mean this thing, which was named before."""
+        if chunk.noun is None:
+            return False
+        old, new = self.noun.said.split(), chunk.noun.said.split()
+        if old == new:
+            return True
+        if old[-1] == new[-1] or old[-1].endswith(new[-1]):
+            return len(new) == 1 or len(old) == 1
+        return self.noun.kind == chunk.noun.kind
+
+    def same_words(self, chunk: Chunk) -> bool:
+        """Return whether a noun phrase has the very noun of this thing."""
+        return chunk.noun is not None and self.noun.said == chunk.noun.said
+
+    def differs(self, chunk: Chunk) -> bool:
+        """Return whether a colour or a size of a noun phrase excludes that of this thing: "the red chair" is no blue one."""
+        said, new, sizes = {*self.adjectives, *self.told}, {*chunk.adjectives}, grammar().sizes
+        sized = (zip(sizes[a], sizes[b], strict=True) for a in said & sizes.keys() for b in new & sizes.keys())
+        opposed = any((a - 1) * (b - 1) < 0 for pair in sized for a, b in pair)
+        return opposed or bool(said & COLORS.keys() and new & COLORS.keys() and not said & new)
+
 
 @dataclass(frozen=True, eq=False)
 class Mention:
@@ -85,6 +108,26 @@ class Mention:
     def count(self) -> int:
         """How many are meant."""
         return self.thing.count if self.pick is None else self.pick.stop - self.pick.start
+
+    @property
+    def several(self) -> bool:
+        """Whether more than one is meant."""
+        return self.count > 1
+
+    @property
+    def laid(self) -> bool:
+        """Whether it can stand on another thing and not on the floor."""
+        return "object" in self.thing.places and "floor" not in self.thing.places
+
+    @property
+    def topped(self) -> bool:
+        """Whether it can stand nowhere but on another thing."""
+        return self.thing.places == ("object",)
+
+    @property
+    def sat_on(self) -> bool:
+        """Whether one sits on it."""
+        return self.thing.head in SEATS
 
     @property
     def at_a_table(self) -> bool:
@@ -125,13 +168,17 @@ class Place:
         return [replace(self, words=(*words.split(),)) for words in " ".join(self.words).split(" and ")]
 
 
+Item = Mention | Place
+"""What a relation is about or leads to."""
+
+
 @dataclass(frozen=True, eq=False)
 class Link:
     """A relation that is asked for."""
 
     relation: str  # its name in the word list
     subjects: tuple[Mention, ...]  # what stands so
-    objects: tuple[Mention | Place, ...]  # what it stands to
+    objects: tuple[Item, ...]  # what it stands to
     start: int  # first token
     end: int  # token after the last one
     # least and most metres that lie between, where that is said
@@ -160,24 +207,24 @@ class Parsed:
     people: int = 0  # people that the room is for, where a bare number says it ("for ten"); 0 if none does
 
 
-def mentions(items: Iterable[Mention | Place]) -> list[Mention]:
+def mentions(items: Iterable[Item]) -> list[Mention]:
     """Return what of some items are things."""
     return [item for item in items if isinstance(item, Mention)]
 
 
-def named(items: Iterable[Mention | Place]) -> set[Thing]:
+def named(items: Iterable[Item]) -> set[Thing]:
     """Return the things among some items."""
     return {item.thing for item in mentions(items)}
 
 
-def place_in(items: Iterable[Mention | Place], *names: str) -> Place | None:
+def place_in(items: Iterable[Item], *names: str) -> Place | None:
     """Return the first place among some items, one of these names if any are given."""
-    return next((item for item in items if isinstance(item, Place) and (not names or item.name in names)), None)
+    return next(iter(places(items, *names)), None)
 
 
-def several(item: Mention | Place) -> bool:
-    """Return whether something is more than one thing."""
-    return isinstance(item, Mention) and item.count > 1
+def places(items: Iterable[Item], *names: str) -> list[Place]:
+    """Return the places among some items, those of these names if any are given."""
+    return [item for item in items if isinstance(item, Place) and (not names or item.name in names)]
 
 
 def place_of(chunk: Chunk) -> Place:
@@ -189,38 +236,3 @@ def sides(chunk: Chunk | Place) -> tuple[str, ...]:
     """Return the words of a door or window that say which wall it is in: "the north window", but not "the front door"."""
     words = chunk.adjectives if isinstance(chunk, Chunk) else chunk.words
     return tuple(grammar().walls[word] for word in words if word.startswith(tuple(COMPASS)))
-
-
-def same(thing: Thing, chunk: Chunk) -> bool:
-    """Return whether a noun phrase may mean a thing named before."""
-    if chunk.noun is None:
-        return False
-    old, new = thing.noun.said.split(), chunk.noun.said.split()
-    if same_words(thing, chunk):
-        return True
-    if old[-1] == new[-1] or old[-1].endswith(new[-1]):
-        return len(new) == 1 or len(old) == 1
-    return thing.noun.kind == chunk.noun.kind
-
-
-def same_words(thing: Thing, chunk: Chunk) -> bool:
-    """Return whether a noun phrase has the very noun of a thing named before."""
-    return chunk.noun is not None and thing.noun.said == chunk.noun.said
-
-
-def differs(thing: Thing, chunk: Chunk) -> bool:
-    """Return whether a colour or a size of a noun phrase excludes that of a thing: "the red chair" is no blue one."""
-    said, new, sizes = {*thing.adjectives, *thing.told}, {*chunk.adjectives}, grammar().sizes
-    sized = (zip(sizes[a], sizes[b], strict=True) for a in said & sizes.keys() for b in new & sizes.keys())
-    opposed = any((a - 1) * (b - 1) < 0 for pair in sized for a, b in pair)
-    return opposed or bool(said & COLORS.keys() and new & COLORS.keys() and not said & new)
-
-
-def laid(mention: Mention) -> bool:
-    """Return whether a thing can stand on another and not on the floor."""
-    return "object" in mention.thing.places and "floor" not in mention.thing.places
-
-
-def topped(mention: Mention) -> bool:
-    """Return whether a thing can stand nowhere but on another."""
-    return mention.thing.places == ("object",)

@@ -8,19 +8,7 @@ from dataclasses import dataclass, field, replace
 from robolayout.words import _function_words as small
 from robolayout.words._chunk import NOTHING, Chunk
 from robolayout.words._lexicon import grammar
-from robolayout.words._said import (
-    Link,
-    Mention,
-    Parsed,
-    Place,
-    Thing,
-    mentions,
-    named,
-    place_in,
-    place_of,
-    several,
-    topped,
-)
+from robolayout.words._said import Item, Link, Mention, Parsed, Thing, mentions, named, place_in, place_of
 from robolayout.words._ways import OTHER_SIDE, SLEPT_ON
 
 AXES = {
@@ -37,9 +25,7 @@ class Zone:
 
     things: list[Mention] = field(default_factory=list[Mention])  # what was first named as being there
     half: bool = False  # whether it is a half of the room by its name
-    place: tuple[Chunk, Sequence[Mention | Place]] | None = (
-        None  # where it is, if that is said: a relation, and to what
-    )
+    place: tuple[Chunk, Sequence[Item]] | None = None  # where it is, if that is said: a relation, and to what
 
     def links(self, said: Sequence[Link]) -> Iterator[Link]:
         """Yield where its things stand, given what is said of them: all in a half of the room, else the first at the place."""
@@ -86,8 +72,8 @@ class Spoken:
         self.subject: list[Mention] = []
         self.acted: list[Mention] = []
         self.holder: list[Mention] = []
-        self.fronted: tuple[Chunk, list[Mention | Place]] | None = None
-        self.also: tuple[Chunk, list[Mention | Place]] | None = None  # "in the corner nearest the window stands a lamp"
+        self.fronted: tuple[Chunk, list[Item]] | None = None
+        self.also: tuple[Chunk, list[Item]] | None = None  # "in the corner nearest the window stands a lamp"
         self.refusing = self.negated = self.empty = self.verb = False
         self.relative = False
         self.broken = self.having = self.listed = False
@@ -139,17 +125,17 @@ class Spoken:
             return bed  # "a wardrobe opposite the beds and a rug at their feet"
         if word.startswith("the row"):
             rows = next((list(k.subjects) for k in reversed(self.said.links) if k.relation in small.ORDERS), [])
-            others = [m for m in self.recent if several(m) and m.thing not in own | named(rows)]
+            others = [m for m in self.recent if m.several and m.thing not in own | named(rows)]
             return [*rows, *others[:1]] if word == "the rows" and len(rows) == 1 and rows[0].thing.rows < 2 else rows
         holder = self.holder[0] if self.holder else None
         earlier, to = ([m for m in given if m.thing not in own] for given in (self.recent, self.targets))
-        many = holder is not None and several(holder) and holder.det != "each"
+        many = holder is not None and holder.several and holder.det != "each"
         one = not many if word == "it" else many or word not in small.SEVERAL or len(earlier) < 2
         if (
             word in small.EVERY
             and word not in small.SEVERAL
             and not many
-            and (led := [m for m in earlier if several(m)])
+            and (led := [m for m in earlier if m.several])
         ):
             return led[-1:]  # "a sofa with a table at each end and a lamp on each of them"
         if holder is not None and holder.thing not in own and one:
@@ -184,18 +170,18 @@ class Spoken:
         if word == "it" and earlier and earlier[-1].thing.count > 1:
             earlier = led or single or earlier
         before = self.before[:1]
-        if word == "it" and before and several(before[0]):  # "Six chairs are around it. A lamp hangs above it."
+        if word == "it" and before and before[0].several:  # "Six chairs are around it. A lamp hangs above it."
             before = [m for m in (*self.spoken, *self.kept) if m.thing.count == 1][-1:] or before
         if word == "it" and len(self.before) > 1:  # "On the desk are a lamp and a cup. Under it is a bin."
             on = [k.objects for k in self.said.links if before[0].thing in named(k.subjects)]
-            before = [o for to in on for o in mentions(to) if not several(o)][-1:] or before
+            before = [o for to in on for o in mentions(to) if not o.several][-1:] or before
         return earlier[-1:] or to[-1:] or before or self.group[:1]
 
     def _several_meant(self, earlier: list[Mention], to: list[Mention]) -> list[Mention]:
         """Return what "them" stands for: several things named at once, or the last two."""
         own = named(self.about)
         on = {thing for k in self.said.links if own & named(k.objects) for thing in named(k.subjects)}
-        earlier = [m for m in earlier if m.thing not in on or not topped(m)]
+        earlier = [m for m in earlier if m.thing not in on or not m.topped]
         several = [m for m in earlier if m.thing.count > 1]
         if several and earlier[-1:] == several[-1:]:
             return several[-1:]
@@ -204,8 +190,8 @@ class Spoken:
         before = self.before
         if len(before) == 1 and before[0].thing.count == 1:
             two = ([*k.subjects, *k.objects] for k in reversed(self.said.links) if k.relation != "on" and k.objects)
-            standing = ([m for m in mentions(both) if not topped(m)] for both in two)
-            last = [m for m in self.spoken if not topped(m)]  # "One bed is here and one bed there. Between them ..."
+            standing = ([m for m in mentions(both) if not m.topped] for both in two)
+            last = [m for m in self.spoken if not m.topped]  # "One bed is here and one bed there. Between them ..."
             before = next((both for both in standing if len(both) > 1), last[-2:] if len(last) > 1 else before)
         return earlier[-2:] or before
 
@@ -213,7 +199,7 @@ class Spoken:
         """Return whether "it" still means here what it meant before."""
         return self.axis == AXES.get(relation) if self.axis else relation not in (*small.CLOSE, "")
 
-    def _keep(self, relation: str, objects: Sequence[Mention | Place], *, pronoun: bool, fronted: bool) -> None:
+    def _keep(self, relation: str, objects: Sequence[Item], *, pronoun: bool, fronted: bool) -> None:
         """Note what a relation led to, so that a later "it" can mean the same."""
         if not objects:
             return

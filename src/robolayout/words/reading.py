@@ -16,7 +16,7 @@ from robolayout.words._function_words import AFTER_A_PLACE, LEAST_SAID, YOUNG
 from robolayout.words._kinds import settle_kinds
 from robolayout.words._lexicon import Lexicon, grammar
 from robolayout.words._parse import Parser
-from robolayout.words._said import ONE_EACH, Parsed, Place, place_in
+from robolayout.words._said import ONE_EACH, Parsed, place_in, places
 from robolayout.words._tokens import Measure, Size, Token, count_of, measures, tokens
 
 LONGEST = 4000
@@ -96,8 +96,7 @@ class Reading:
             (item.name == "corner" and (item.det == "each" or item.plural))
             or (link.relation, item.name) == ("flank", "door")
             for link in self.parsed.links
-            for item in link.objects
-            if isinstance(item, Place)
+            for item in places(link.objects)
         )
 
     @property
