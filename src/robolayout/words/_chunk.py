@@ -98,9 +98,5 @@ def _looks(told: str) -> bool:
 
 def _of_several(chunk: Chunk) -> bool:
     """Return whether a phrase names several things, or one of them."""
-    told = (
-        chunk.number
-        or chunk.det in ("one", "both", "each", "first")
-        or {"left", "right", *grammar().walls} & {*chunk.adjectives}
-    )
-    return chunk.plural or bool(told)
+    sided = {"left", "right", *grammar().walls} & {*chunk.adjectives}
+    return bool(chunk.plural or chunk.number or sided or chunk.det in ("one", "both", "each", "first"))

@@ -41,7 +41,7 @@ class Parser(Relating):
                 self._fact(replace(chunk, kind="function"))  # "a cup of coffee"
             elif chunk.kind == "other":
                 self.said.missed.append(chunk)
-            else:
+            elif chunk.kind != "colon":
                 self._fact(chunk)
         self._on_stop(None)
         self.said.links += [link for zone in self.zones.values() for link in zone.links(self.said.links)]
@@ -55,9 +55,6 @@ class Parser(Relating):
         self.before = self.subject or (self.recent if self.fronted else self.group) or self.before
         self._new_sentence()
 
-    def _on_colon(self, chunk: Chunk) -> None:
-        self.broken = True
-
     def _on_comma(self, chunk: Chunk) -> None:
         self._on_and(chunk)
         self.listed = True
@@ -66,7 +63,6 @@ class Parser(Relating):
     def _on_and(self, chunk: Chunk) -> None:
         self.refusing = self.refusing and chunk.value in ("or", "nor")
         self.verb = self.relative = False
-        self.broken = True
         self.having = self.having and not self.acted
 
     def _on_verb(self, chunk: Chunk) -> None:
@@ -219,7 +215,7 @@ class Parser(Relating):
         if not self.subject or together or (not joined and not self.verb and not self.holder):
             self.subject = self.group
         self.acted = []
-        self.verb = self.relative = self.broken = False
+        self.verb = self.relative = False
 
     def _these(self, members: list[Mention]) -> None:
         """Go on with several things that were named before: "The machines stand side by side"."""
@@ -228,7 +224,7 @@ class Parser(Relating):
             self._link(self.fronted[0], members, self.fronted[1])
         self.subject = self.group = members
         self.target, self.acted = None, []
-        self.verb = self.relative = self.broken = False
+        self.verb = self.relative = False
 
     def _note(self, chunk: Chunk, mention: Mention) -> None:
         """Note what a noun phrase itself says of how its thing stands."""
@@ -258,6 +254,7 @@ class Parser(Relating):
         """Return whether a noun names what is not to be there, what somebody moves with, or what a thing is for."""
         noun, before = chunk.noun, self._previous(chunk)
         several = chunk.plural or (noun is not None and noun.words.endswith("s"))
+        strange = noun is not None and noun.kind.startswith("unknown")
         alone = not chunk.det and chunk.number is None
         held = self.group[-1:] if alone and self._ahead(-3).kind == "thing" else []
         alike = bool(held) and noun is not None and noun.kind == held[0].thing.noun.kind
@@ -271,11 +268,7 @@ class Parser(Relating):
             mention = self._mention(chunk)
             if mention.thing.category.on_object and not held[0].thing.category.on_object:
                 self.said.links.append(Link("on", (mention,), tuple(held), chunk.start, chunk.end))
-        elif (
-            self.group
-            and before == "for"
-            and ((several and alone) or (noun is not None and noun.kind.startswith("unknown")))
-        ):
+        elif self.group and before == "for" and ((several and alone) or strange):
             self._fact(replace(chunk, kind="function"))  # "a rack for shoes", "a desk for the therapist"
         else:
             return False
@@ -292,9 +285,7 @@ class Parser(Relating):
             return False
         for led in (self.also, self.fronted) if self.also is not None else (self.fronted,):
             self._link(led[0], [mention], led[1])
-        self.group = [*self.group, mention] if self.group and not self.broken else [mention]
-        self.acted = [mention]
-        self.broken = False
+        self.group = self.acted = [mention]
         return True
 
     def _elided(self, chunk: Chunk, mention: Mention) -> bool:

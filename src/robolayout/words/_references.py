@@ -27,22 +27,15 @@ class References(Spoken):
                 known.number = 2  # "on the left nightstand ... on the right nightstand"
             known.spans.append((chunk.start, chunk.end))
             pick = self._pick(chunk, known.count, self.dealt.get(known), target=target)
-            if pick is not None and (
-                chunk.det in ("new", "one", *small.SHARES) or (chunk.det == "first" and chunk.number)
-            ):
+            one_by_one = chunk.det in ("new", "one", *small.SHARES) or (chunk.det == "first" and chunk.number)
+            if pick is not None and one_by_one:
                 self.dealt[known] = pick.stop
             return Mention(known, pick, chunk.det)
         number = 1 if chunk.number is None and chunk.det in ("a", "new", "one") and not chunk.plural else chunk.number
         if chunk.det == "both" and number is None:
             number = 2
-        if (
-            number is None
-            and chunk.plural
-            and not chunk.det
-            and self._joined()
-            and not target
-            and self._ahead().kind != "rel"
-        ):
+        bare = number is None and chunk.plural and not chunk.det
+        if bare and not target and self._ahead().kind != "rel" and self._joined():
             before = self.group[-1].thing.number
             number = before if before and before > 1 else None
         if number is None and chunk.plural and chunk.noun.kind in ONE_EACH and not self.said.things:

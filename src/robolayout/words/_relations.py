@@ -50,7 +50,6 @@ class Relating(About):
             self.group[-1].thing.people = chunk.number
             if self.group[-1].thing.head in (*TOPS, *SEATS):
                 self.said.facts[-1:] = [chunk, replace(chunk, kind="seats")]
-        self.broken = True
 
     def _on_with(self, chunk: Chunk) -> None:
         self.refusing = False
@@ -63,22 +62,16 @@ class Relating(About):
             return
         if self.target is not None and self.target.det == "a" and who.kind == "thing":
             self.holder = [self.target]  # "facing a television with speakers"
-        elif self.acted and not self.broken:
-            self.holder = self.acted
         elif self.group:
             clause = who.kind == "comma" and self.acted and len(self.subject) == 1
             self.holder = [self.subject[0] if clause else self.group[-1]]
         self.having = True
         self.verb = self.listed = False
-        self.broken = True
-        if (
-            self.holder
-            and self.holder[0].det in ("each", "both", "all", *small.SHARES)
-            and self.holder[0].thing.count > 1
-        ):
-            alike = [thing for thing in self.said.things if thing.noun.said == self.holder[0].thing.noun.said]
-            if self.holder[0].pick is None:
-                self.holder = [Mention(thing, None, self.holder[0].det) for thing in alike]
+        head = self.holder[0] if self.holder else None
+        if head is not None and head.det in ("each", "both", "all", *small.SHARES) and head.thing.count > 1:
+            if head.pick is None:
+                alike = [thing for thing in self.said.things if thing.noun.said == head.thing.noun.said]
+                self.holder = [Mention(thing, None, head.det) for thing in alike]
             self._each_has(self.holder, sum(mention.count for mention in self.holder))
 
     def _each_has(self, holder: list[Mention], times: int) -> None:
@@ -137,7 +130,6 @@ class Relating(About):
         things = tuple(mentions(found)) if chunk.value == "light" else ()
         named = {"light": "lit"}.get(chunk.value, chunk.value)
         self.said.links.append(Link(named, things, () if things else tuple(found), chunk.start, chunk.end))
-        self.broken = True
         return True
 
     def _on_rel(self, chunk: Chunk) -> None:
@@ -185,7 +177,6 @@ class Relating(About):
         self._understood(place)
         self.said.missed[:] = [other for other in self.said.missed if other is not place]
         self._link(replace(chunk, value=at), mentions(self._objects(chunk)), [place_of(place)])
-        self.broken = True
         return True
 
     def _relate_to(
@@ -205,8 +196,7 @@ class Relating(About):
         if (again and not objects) or (sides and self._at_sides(chunk, subjects, place)):
             self._understood(chunk)  # "a plant flanks the door on each side"
             return
-        backs = {"back", "backs"} & {*chunk.adjectives} and (place is None or place.name != "wall")
-        backs = backs and chunk.value == "wall"
+        backs = chunk.value == "wall" and {"back", "backs"} & {*chunk.adjectives} and not place_in(objects[:1], "wall")
         if chunk.value == "separates" or backs:  # "with its back to the window"
             chunk = replace(chunk, value="turnedfrom" if backs else "amid")
         if "across" in chunk.adjectives and last is not None and (last.relation, last.end) == ("mutual", chunk.start):
@@ -254,20 +244,13 @@ class Relating(About):
         low = held and not self.group[-1].topped and not self.holder[0].thing.category.on_floor
         sat = held and self.group[-1].sat_on and self.holder[0].thing.head in TOPS
         sat = sat and (chunk.value != "opposite" or self.group[-1].thing.head not in small.LOUNGE)
-        others = [
-            m for m in objects if isinstance(m, Mention) and m.thing.count > 1 and m.thing not in named(self.holder)
-        ]
-        if (
-            sat
-            and chunk.value in small.STANDING
-            and others
-            and self._ahead(-1).kind == "pron"
-            and self.holder[0].thing.count == 1
-        ):
+        others = [m for m in mentions(objects) if m.thing.count > 1 and m.thing not in named(self.holder)]
+        seated = sat and chunk.value in small.STANDING
+        if seated and others and self._ahead(-1).kind == "pron" and self.holder[0].thing.count == 1:
             objects = list[Item](others)  # "two shelves and a table with four chairs in front of them"
         to_it = named(self.holder) & named(objects)
         hangs = held and chunk.value == "above" and not {"floor", "object"} & {*self.holder[0].thing.places}
-        laid = laid or bool(((sat and chunk.value in small.STANDING) or hangs) and objects and not to_it)
+        laid = laid or bool((seated or hangs) and objects and not to_it)
         seats = held and bool(objects) and self.group[-1].sat_on  # "a table with four chairs on a rug"
         laid = laid or (seats and _over_or_under(chunk.value, objects[0]) and not to_it)
         swapped = (place or laid) and held and not (hung or (low and not hangs)) and subjects == self.group[-1:]
@@ -301,7 +284,6 @@ class Relating(About):
             self._understood(*[chunk] * (chunk.value in ("in", "by") and self._ahead().kind in small.OF_THE_ROOM))
         elif in_the_room or (chunk.value == "stacked" and [m.count for m in subjects] == [1]):
             self._understood(chunk)
-            self.broken = True
         elif chunk.value in REVERSED:
             self._reversed(chunk, subjects, objects)
         elif not subjects and self.fronted is not None and not self.group and (led := mentions(self.fronted[1][:1])):

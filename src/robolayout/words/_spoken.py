@@ -75,8 +75,7 @@ class Spoken:
         self.fronted: tuple[Chunk, list[Item]] | None = None
         self.also: tuple[Chunk, list[Item]] | None = None  # "in the corner nearest the window stands a lamp"
         self.refusing = self.negated = self.empty = self.verb = False
-        self.relative = False
-        self.broken = self.having = self.listed = False
+        self.relative = self.having = self.listed = False
         self.recent: list[Mention] = []
         self.targets: list[Mention] = []
         self.target: Mention | None = None
@@ -131,12 +130,8 @@ class Spoken:
         earlier, to = ([m for m in given if m.thing not in own] for given in (self.recent, self.targets))
         many = holder is not None and holder.several and holder.det != "each"
         one = not many if word == "it" else many or word not in small.SEVERAL or len(earlier) < 2
-        if (
-            word in small.EVERY
-            and word not in small.SEVERAL
-            and not many
-            and (led := [m for m in earlier if m.several])
-        ):
+        each = word in small.EVERY and word not in small.SEVERAL and not many
+        if each and (led := [m for m in earlier if m.several]):
             return led[-1:]  # "a sofa with a table at each end and a lamp on each of them"
         if holder is not None and holder.thing not in own and one:
             return self.holder
