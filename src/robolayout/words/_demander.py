@@ -12,12 +12,7 @@ from robolayout.constraints import AssetRef, PointRef, Relation, WallRef
 from robolayout.constraints.between import BetweenTwo
 from robolayout.scene import Scene
 from robolayout.words import _ways as ways_of
-from robolayout.words._places import (
-    AtPlaces,
-    centre,
-    rectangle,
-    walls_meant,
-)
+from robolayout.words._places import AtPlaces, centre, rectangle, walls_meant
 from robolayout.words._rows import ToldRows, alike, in_rows, neighbours, on_a_wall
 from robolayout.words._said import Link, Mention, Place, Thing, mentions, named, place_in, places
 from robolayout.words.demands import Demand, by_ways, single, stated

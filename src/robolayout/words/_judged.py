@@ -127,52 +127,35 @@ def taste(room: Furnished) -> Finding:
     return "not judged", ""
 
 
-def seats_for(people: int) -> Callable[[Furnished], Finding]:
-    """Return what counts seats for so many."""
-
-    def judge(room: Furnished) -> Finding:
-        there = [asset for asset in room.scene.assets if asset.name in room.layout]
-        wide = [(category_of(asset).name.split()[-1], max(int(asset.size[1] // SEAT), 1)) for asset in there]
-        seats = sum(many if kind in ("sofa", "bench") else 1 for kind, many in wide if kind in SEATS)
-        return met(seats >= people, f"{seats} seats there")
-
-    return judge
+def seated(people: int, room: Furnished) -> Finding:
+    """Judge whether there are seats for so many."""
+    there = [asset for asset in room.scene.assets if asset.name in room.layout]
+    wide = [(category_of(asset).name.split()[-1], max(int(asset.size[1] // SEAT), 1)) for asset in there]
+    seats = sum(many if kind in ("sofa", "bench") else 1 for kind, many in wide if kind in SEATS)
+    return met(seats >= people, f"{seats} seats there")
 
 
-def hangs(things: Sequence[str]) -> Callable[[Furnished], Finding]:
-    """Return what measures how far below the ceiling things hang."""
-
-    def judge(room: Furnished) -> Finding:
-        tops = [room.layout[name].z + room.scene.by_name[name].size[2] / 2 for name in things]
-        off = max((room.scene.room.wall_height - top for top in tops), default=0.0)
-        return met(off <= SIZE_OFF, f"{off:.2f} m below the ceiling")
-
-    return judge
+def hung(things: Sequence[str], room: Furnished) -> Finding:
+    """Judge how far below the ceiling things hang."""
+    tops = [room.layout[name].z + room.scene.by_name[name].size[2] / 2 for name in things]
+    off = max((room.scene.room.wall_height - top for top in tops), default=0.0)
+    return met(off <= SIZE_OFF, f"{off:.2f} m below the ceiling")
 
 
-def for_body(name: str) -> Callable[[Furnished], Finding]:
-    """Return what looks for a body."""
-
-    def judge(room: Furnished) -> Finding:
-        bodies = ", ".join(agent.name for agent in room.scene.agents)
-        return ("met" if name in bodies else "not judged"), f"laid out for {bodies}"
-
-    return judge
+def bodied(name: str, room: Furnished) -> Finding:
+    """Judge whether the room is laid out for a body."""
+    bodies = ", ".join(agent.name for agent in room.scene.agents)
+    return ("met" if name in bodies else "not judged"), f"laid out for {bodies}"
 
 
-def of_the_room(words: str, measure: Measure) -> Row:
-    """Return the row of a measure of the room."""
-    kind, values = measure.kind, measure.values
-
-    def judge(room: Furnished) -> Finding:
-        given = room.scene.room
-        x0, y0, x1, y1 = given.bounds
-        there = {"size": sorted((x1 - x0, y1 - y0)), "area": [given.area], "height": [given.wall_height]}.get(kind)
-        if there is None:
-            return "not judged", ""
-        off = max(abs(a - b) for a, b in zip(there, sorted(values), strict=True))
-        good = off <= (AREA_OFF * values[0] if kind == "area" else SIZE_OFF)
-        shown = " x ".join(f"{value:.2f}" for value in there)
-        return met(good, f"{shown} {'m2' if kind == 'area' else 'm'}")
-
-    return Row(words, f"room {kind}" if kind != "grid" else "style", f"{kind} {measure.shown}", judge)
+def measured(measure: Measure, room: Furnished) -> Finding:
+    """Judge a measure of the room."""
+    kind, given = measure.kind, room.scene.room
+    x0, y0, x1, y1 = given.bounds
+    there = {"size": sorted((x1 - x0, y1 - y0)), "area": [given.area], "height": [given.wall_height]}.get(kind)
+    if there is None:
+        return "not judged", ""
+    off = max(abs(a - b) for a, b in zip(there, sorted(measure.values), strict=True))
+    good = off <= (AREA_OFF * measure.values[0] if kind == "area" else SIZE_OFF)
+    shown = " x ".join(f"{value:.2f}" for value in there)
+    return met(good, f"{shown} {'m2' if kind == 'area' else 'm'}")

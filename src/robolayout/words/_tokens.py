@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterator
 from dataclasses import dataclass
 
 from robolayout._errors import SceneError
@@ -55,6 +54,9 @@ _APART = re.compile(
 )
 Size = tuple[float, float, float]
 """Depth, width and height in metres."""
+
+Said = tuple[str, tuple[float, ...]] | None
+"""Kind and values of a measure; None for what is none."""
 
 USUAL = (0.25, 4.0)
 """Least and most by which a thing may be larger than usual."""
@@ -151,59 +153,59 @@ def tokens(text: str) -> list[Token]:
 
 
 def measures(text: str) -> list[Measure]:
-    """Return the measures in a text."""
+    """Return the measures in a text; of those that overlap the first that is looked for."""
     found: list[Measure] = []
-    for read in (_grids, _sizes, _areas, _heights, _gaps, _lengths):
-        for measure in read(text):
-            if not any(measure.start < other.end and other.start < measure.end for other in found):
-                found.append(measure)
+    for pattern, read in _READERS:
+        for match in pattern.finditer(text):
+            start, end = match.span()
+            if (said := read(match)) and not any(start < other.end and other.start < end for other in found):
+                found.append(Measure(*said, start, end))
     return sorted(found, key=lambda measure: measure.start)
 
 
-def _grids(text: str) -> Iterator[Measure]:
-    for match in _GRID.finditer(text):
-        rows, columns = (_number(number) for number in match.groups() if number)
-        yield Measure("grid", (rows, columns), match.start(), match.end())
+def _grid(match: re.Match[str]) -> Said:
+    rows, columns = (_number(number) for number in match.groups() if number)
+    return "grid", (rows, columns)
 
 
-def _sizes(text: str) -> Iterator[Measure]:
-    for match in (*_SIZE.finditer(text), *_SIDES.finditer(text)):
-        said = [(match.group(i), match.group(i + 1)) for i in range(1, len(match.groups()), 2) if match.group(i)]
-        unit = next((unit for _, unit in reversed(said) if unit), None)
-        if unit or said[0][0][0].isdecimal():  # "two by two" says how things stand
-            values = tuple(round(metres(number, own, unit), 2) for number, own in said)
-            yield Measure("size", values, match.start(), match.end())
+def _size(match: re.Match[str]) -> Said:
+    said = [(match.group(i), match.group(i + 1)) for i in range(1, len(match.groups()), 2) if match.group(i)]
+    unit = next((unit for _, unit in reversed(said) if unit), None)
+    if not unit and not said[0][0][0].isdecimal():
+        return None  # "two by two" says how things stand
+    return "size", tuple(round(metres(number, own, unit), 2) for number, own in said)
 
 
-def _areas(text: str) -> Iterator[Measure]:
-    for match in _AREA.finditer(text):
-        area = _number(match.group(1)) * (0.3048**2 if "f" in match.group(2).lower() else 1.0)
-        yield Measure("area", (area,), match.start(), match.end())
+def _area(match: re.Match[str]) -> Said:
+    return "area", (_number(match.group(1)) * (0.3048**2 if "f" in match.group(2).lower() else 1.0),)
 
 
-def _heights(text: str) -> Iterator[Measure]:
-    for match in _HEIGHT.finditer(text):
-        number, unit = (match.group(1), match.group(2)) if match.group(1) else (match.group(3), match.group(4))
-        if unit or not match.group(1):  # not "two high tables"
-            yield Measure("height", (round(metres(number, unit), 2),), match.start(), match.end())
+def _height(match: re.Match[str]) -> Said:
+    number, unit = match.group(1, 2) if match.group(1) else match.group(3, 4)
+    plain = match.group(1) and not unit  # "two high tables"
+    return None if plain else ("height", (round(metres(number, unit), 2),))
 
 
-def _lengths(text: str) -> Iterator[Measure]:
-    for match in _LENGTH.finditer(text):
-        number, unit, _, how, flat = match.groups()
-        kind = "diagonal" if flat is not None else "across" if how == "diameter" else (how or "length").lower()
-        yield Measure(kind, (round(metres(number, unit), 3),), match.start(), match.end())
+def _length(match: re.Match[str]) -> Said:
+    number, unit, _, how, flat = match.groups()
+    kind = "diagonal" if flat is not None else "across" if how == "diameter" else (how or "length").lower()
+    return kind, (round(metres(number, unit), 3),)
 
 
-def _gaps(text: str) -> Iterator[Measure]:
-    for match in _APART.finditer(text):
-        least, most, number, unit = match.groups()
-        closer = bool(least) and least.lower().startswith("no") and " than" in least and "less" not in least
-        if unit and (most or not match.group().endswith("of")) and closer == match.group().endswith("to"):
-            gap = round(metres(number, unit), 2)
-            bounds = (0.0 if most else gap, math.inf if least else gap if most else gap + APART)
-            kind = "between" if match.group().endswith("between") else "apart"
-            yield Measure(kind, bounds, match.start(), match.end())
+def _gap(match: re.Match[str]) -> Said:
+    least, most, number, unit = match.groups()
+    closer = bool(least) and least.lower().startswith("no") and " than" in least and "less" not in least
+    if not unit or (not most and match.group().endswith("of")) or closer != match.group().endswith("to"):
+        return None
+    gap = round(metres(number, unit), 2)
+    bounds = (0.0 if most else gap, math.inf if least else gap if most else gap + APART)
+    return "between" if match.group().endswith("between") else "apart", bounds
+
+
+_READERS = (
+    (_GRID, _grid), (_SIZE, _size), (_SIDES, _size), (_AREA, _area), (_HEIGHT, _height), (_APART, _gap), (_LENGTH, _length),
+)  # fmt: skip
+"""What measures look like, and how each is read."""
 
 
 def metres(number: str, unit: str | None, fallback: str | None = None) -> float:

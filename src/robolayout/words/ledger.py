@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 from types import MappingProxyType
 
 from shapely import LineString
@@ -142,12 +143,14 @@ class _Rows:
             if chunk.kind == "room":
                 yield self._room(chunk, words)
             elif chunk.measure is not None:
-                yield as_row.of_the_room(words, chunk.measure)
+                kind, judge = chunk.measure.kind, partial(as_row.measured, chunk.measure)
+                named = "style" if kind == "grid" else f"room {kind}"
+                yield Row(words, named, f"{kind} {chunk.measure.shown}", judge)
             elif chunk.kind == "body":
-                yield Row(words, "body", f"for {chunk.value}", as_row.for_body(chunk.value))
+                yield Row(words, "body", f"for {chunk.value}", partial(as_row.bodied, chunk.value))
             elif chunk.kind == "seats":
                 people = chunk.number or 0
-                yield Row(words, "count", f"chairs or other seats for {people}", as_row.seats_for(people))
+                yield Row(words, "count", f"chairs or other seats for {people}", partial(as_row.seated, people))
             elif chunk.kind in ("people", "users"):
                 yield Row(words, "people", "who uses the room", as_row.as_given)
             elif chunk.kind == "corner":
@@ -256,7 +259,7 @@ class _Rows:
         demands = self.demander.demands(link)
         if not demands and place_in(link.objects, "ceiling") and link.subjects:
             things = tuple(name for mention in link.subjects for name in self.names.get(mention.thing, ()))
-            return Row(understanding, "relation", "hangs from the ceiling", as_row.hangs(things), things)
+            return Row(understanding, "relation", "hangs from the ceiling", partial(as_row.hung, things), things)
         if not demands:
             return as_row.unread(understanding, "nothing that the vocabulary can say")
 
