@@ -70,10 +70,10 @@ def grammar() -> Grammar:
     phrases |= {phrase: ("and", phrase) for phrase in (*JOINED, *ALIKE)}
     phrases |= {phrase: ("rel", name) for name, given in data["relations"].items() for phrase in given}
     phrases = {phrase.replace(" the ", " "): named for phrase, named in phrases.items()} | phrases  # "on left side of"
-    lists: dict[str, Any] = {name: data[name] for name in ("rooms", "kinds", "heads", "places", "floors")}
+    lists: dict[str, Any] = {"rooms": data["rooms"]}
     for name in ("fillers", "styles", "functions", "airy"):
         lists[name] = frozenset(map(plain, data[name]["words"]))
-    for name in ("parts", "walls"):
+    for name in ("parts", "walls", "kinds", "heads", "places", "floors"):
         lists[name] = {word: key for key, words in data[name].items() for word in words}
     for name in ("sizes", "models", "groups", "cosy", "dress"):
         lists[name] = {key: tuple(row) for key, row in data[name].items()}

@@ -56,4 +56,5 @@ def _built_in() -> Rooms:
         name: RoomType(name, **(entry | {key: tuple(entry[key]) for key in LISTS if key in entry}))
         for name, entry in data["rooms"].items()
     }
-    return Rooms(rooms, data["corners"], data["agents"], data["companions"])
+    bodies = {word: body for body, words in data["agents"].items() for word in words}
+    return Rooms(rooms, data["corners"], bodies, data["companions"])
