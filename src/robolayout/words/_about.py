@@ -24,7 +24,6 @@ class About(References):
     def _objects(self, chunk: Chunk) -> list[Item]:
         """Return what a relation leads to; "between" takes two, and a wall may be told by what it is opposite to."""
         found: list[Item] = []
-        self.target = None
         while self.at < len(self.chunks):
             self._skip()
             item = self._object(chunk)
@@ -34,10 +33,8 @@ class About(References):
             self.pending = []
             pronoun = self.chunks[self.at - 1].kind == "pron"
             two = chunk.value in ("amid", "between", "separates") and len(found) < 2
-            wants = two and (
-                self._ahead().value == "from"
-                or not ((item.several if isinstance(item, Mention) else item.plural) or pronoun)
-            )
+            many = item.several if isinstance(item, Mention) else item.plural
+            wants = two and (self._ahead().value == "from" or not (many or pronoun))
             both = chunk.value in ("amid", "facing", "under", "around", "near", "next", "on", "seen")
             both = both or (isinstance(item, Mention) and item.det == "both")
             if not (wants or (both and self._plain_pair(found, chunk))):

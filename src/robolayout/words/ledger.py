@@ -239,11 +239,8 @@ class _Rows:
 
         words = self.reading.span(*thing.spans[0])
         made = {category_of(self.scene.by_name[name]).name for name in own}
-        named = (
-            thing.noun.words
-            if nearest or made <= {thing.noun.kind}
-            else f"{thing.noun.said} ({', '.join(sorted(made))})"
-        )
+        as_said = nearest or made <= {thing.noun.kind}
+        named = thing.noun.words if as_said else f"{thing.noun.said} ({', '.join(sorted(made))})"
         sizes = "".join(f", {word}" for word in thing.adjectives if word in grammar().sizes)
         return Row(words, "count", f"{bound}{wanted} {named}{sizes}{nearest}", judge)
 
