@@ -25,6 +25,7 @@ from robolayout.solve import (
     askew,
     compile_problem,
     dress,
+    mended,
     silent,
     solve_samples,
     solve_with,
@@ -182,7 +183,7 @@ class Run:
             return best
         with self.clock.station("solve"):
             given: dict[str, Any] = {"seed": seed, "config": self.config, "progress": self.say}
-            return replace(best, solution=_opened(self.scene, best.reconciled.program, best.solution, **given))
+            return replace(best, solution=_bettered(self.scene, best.reconciled.program, best.solution, **given))
 
     def edited(self, planner: Planner, program: str | None, start: Layout, pinned: Mapping[str, Pose]) -> Attempt:
         """Mend a layout with the least change; what it does not place is planned and fitted in."""
@@ -330,10 +331,10 @@ def solve(  # noqa: PLR0913 - as `generate`
     best = solve_with(solver, problem, judge, seed=seed, config=config, progress=progress)
     if not ways or solver != "default":
         return best
-    return _opened(scene, program, best, seed=seed, config=config, pinned=pinned, progress=progress)
+    return _bettered(scene, program, best, seed=seed, config=config, pinned=pinned, progress=progress)
 
 
-def _opened(
+def _bettered(
     scene: Scene,
     program: Program,
     best: Solution,
@@ -343,14 +344,20 @@ def _opened(
     pinned: Mapping[str, Pose] | None = None,
     progress: Progress | None = None,
 ) -> Solution:
-    """Return the best of a solution and those with other ways of what the program leaves open, where a statement is not met.
+    """Return the best of a solution, mended for longer, and those with other ways of what the program leaves open.
 
-    They begin with the room as it stands, which is soon done, and then with rooms that are built for them; of equals the one
-    with the fewest things askew is taken.
+    Other ways are for rooms that lack little but a statement. They begin with the room as it stands, which is soon done, and then
+    with rooms that are built for them; of equals the one with the fewest things askew is taken.
     """
-    if _said_holds(scene, program, best):  # drawers that stay shut are no statements
+    judge, config = make_judge(scene, program), config or SolverConfig()
+    if best.verdict.broken:
+        problem = compile_problem(scene, program, seed=seed, pinned=pinned, built=best.layout)
+        best = mended(problem, judge, best, seed=seed, config=config, progress=progress)
+    # drawers that stay shut are no statements
+    hopeless = config.effort.hopeless(best.verdict.broken, len(scene.assets))
+    if hopeless or _said_holds(scene, program, best):
         return best
-    judge, brief = make_judge(scene, program), (config or SolverConfig()).at("quick")
+    brief = config.at("quick")
     ways = tuple(islice(_ways(scene, program, best), FLOW.most_ways))
 
     def rank(found: Solution) -> tuple[float, int]:

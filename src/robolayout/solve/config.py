@@ -41,7 +41,8 @@ class Effort:
     # share of statements that it leaves unmet, above both of which the guess is worth nothing: else a way that is blocked is opened
     # first. Measured: guesses at random 0.8 to 1.5, rough ones of which as much is out of reach 0.3 to 0.5
     lost: tuple[float, float] = (0.6, 0.8)
-    # the same share once the ways are opened, and share of the statements that do not hold after mending
+    # the same share once the ways are opened, and share of the statements that do not hold after mending; of whole rooms the share
+    # from which on a search does not mend for long, which only pays for the best of several
     blind: float = 0.25
     # hard demands and access that a room which is built lacks, up to which what is to blame is mended before gradients move the rest
     few: float = 3.0
@@ -52,9 +53,14 @@ class Effort:
     built: int = 2  # batches of starts that are built one thing after the other
     # promise of a built start up to which single things in it are placed anew before it is polished
     nearly: float = 3.0
-    # most layouts with one thing built anew that are judged in a row, and four times as many at the end; none leaves it out
+    # most layouts with one thing built anew that are judged in a row, before it goes on at the end as long as that gains something;
+    # none leaves it out
     mendings: int = 32
     anywhere: int = 16  # the same at the end for statements of a guess that is kept, which no place near it meets
+
+    def hopeless(self, broken: float, things: int) -> bool:
+        """Return whether of so many things too much is out of place or out of reach to be mended soon (`Verdict.broken`)."""
+        return broken > self.blind * things
 
 
 EFFORTS: Mapping[str, Effort] = {

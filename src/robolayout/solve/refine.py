@@ -48,7 +48,7 @@ class Solver:
         self.effort, self.judgements, self.gained = self.config.effort, 0, 0
         self.rng = np.random.default_rng(self.seed)
         self.runner = Runner(self.config)
-        self.blind = False
+        self.blind, self.stuck = False, WORST  # whether the guess is worth nothing; what mending has not bettered
         self.stages = [make_stage(self.problem, number, self.problem.start) for number in stages(self.problem)]
         self.number, self.phase = 0, ""  # the stage and the phase under way
         self.hold(self.problem.start, WORST, "guess" if self.problem.guessed else "built")
@@ -62,7 +62,20 @@ class Solver:
         for stage in self.stages:
             self.phase = self.made_by
             self._stage(stage.at(self.world))
+        given_up = self.effort.hopeless(self.verdict.broken, len(self.problem.names)) or self.verdict is self.stuck
+        if self.problem.guessed or not given_up:
+            self._repair()
+        return self._found()
+
+    def mend(self) -> Solution:
+        """Return the best layout found by placing single things of the problem's own one anew, as long as that gains something."""
+        self.number = len(self.stages) - 1
+        self._judged(self.world, WORST.worth)
         self._repair()
+        return self._found()
+
+    def _found(self) -> Solution:
+        """Return the incumbent, with what was moved without need put back."""
         self._restore()
         return Solution(self.problem.layout(self.world), self.verdict, self.made_by, self.runner.trace())
 
@@ -144,7 +157,7 @@ class Solver:
             self._opened(stage, run)
         if self.number or not self.blind:  # on a top a few centimetres are enough
             self._near()
-        self.blind |= self.verdict.broken / len(stage.moving) > self.effort.blind
+        self.blind |= self.effort.hopeless(self.verdict.broken, len(stage.moving))
         self.blind |= self.verdict.soft > self.effort.blind * len(self.problem.relations)
         if self.config.starts and (self.blind or self.verdict.broken):
             self._anew(stage)
@@ -277,20 +290,22 @@ class Solver:
     def _mend(self, most: int) -> None:
         """Place single things to blame anew while all else stays, in turn, as long as the judge likes that better."""
         turn = 0
-        for _ in range(most):
+        for _ in range(most if self.verdict is not self.stuck else 0):
             slots = self._blamed(0)
             if self.verdict.ok or not slots or self.spent:
                 break
             world = self.repair.mended(self.world, slots[turn // MENDING.ways % len(slots)], turn % MENDING.ways)
             turn = 0 if self._judged(world, self.verdict.worth) else turn + 1
+        if turn == most:
+            self.stuck = self.verdict
 
     def _repair(self) -> None:
         """Place what is to blame anew for longer, now that all stages are there; statements of a guess that is kept get a few tries."""
         few = self.effort.anywhere if self._guided else 0
-        most = 4 * self.effort.mendings if self.verdict.broken else few
-        if most and not self.verdict.ok:
+        most = self.effort.layouts if self.verdict.broken else few
+        if most and self.effort.mendings and not self.verdict.ok:
             self._say("repair")
-            self.gained, self.number = self.judgements, len(self.stages) - 1
+            self.gained, self.number, self.stuck = self.judgements, len(self.stages) - 1, WORST
             self._mend(most)
 
     def _restore(self) -> None:
