@@ -51,6 +51,10 @@ def program(text: str) -> str:
             ('backs="paired", rows=2)',),
         ),
         (
+            "a bedroom with a bed between two bookshelves",
+            ("wish.left_of(bed[0], bookshelf[0]", "wish.left_of(bookshelf[1], bed[0]"),
+        ),
+        (
             "a bedroom with two single beds and a folding screen between them",
             ("wish.left_of(room_divider[0], single_bed[0]", "wish.align_with(room_divider[0], single_bed[0], 90)"),
         ),
@@ -136,3 +140,18 @@ def test_generate_takes_words() -> None:
 def test_what_looks_like_a_file_is_no_sentence() -> None:
     with pytest.raises(rl.InputError, match="does not exist"):
         rl.generate("a bedrom.json")
+
+
+@pytest.mark.parametrize("text", ["a bed flanked by two wardrobes", "a bed between two wardrobes"])
+def test_what_is_broad_stands_at_a_bed_in_place_of_night_stands(text: str) -> None:
+    """With them the wardrobes stood in the middle of the room, their doors to the wall."""
+    result = rl.generate(f"A bedroom with {text}.")
+    assert result.report.ok and not any(asset.category == "night stand" for asset in result.scene.assets)
+    bed = result.layout["bed-0"]
+    for i in range(2):
+        assert abs(math.remainder(result.layout[f"wardrobe-{i}"].yaw - bed.yaw, math.tau)) < 0.02
+
+
+def test_a_bed_between_night_stands_or_side_tables_keeps_them() -> None:
+    scene, _ = scene_from_sentence("A bedroom with a bed between two night stands.")
+    assert sum(asset.category == "night stand" for asset in scene.assets) == 2

@@ -168,3 +168,17 @@ def test_things_at_two_walls_are_in_equal_shares_at_each() -> None:
     scene, _ = scene_from_sentence("A gallery with four pictures on the east and west walls.")
     walls = [str(relation).rpartition("index=")[2] for relation in read_words(scene).said]
     assert walls[0] == walls[1] != walls[2] == walls[3]
+
+
+@pytest.mark.parametrize(
+    ("text", "least", "most"),
+    [
+        ("a king bed", 1.85, 2.1), ("a king size bed", 1.85, 2.1), ("a king-sized bed", 1.85, 2.1),
+        ("a queen bed", 1.6, 1.75), ("a double bed", 1.4, 1.6), ("a 1.2 m wide double bed", 1.2, 1.2),
+    ],
+)  # fmt: skip
+def test_a_bed_is_as_wide_as_its_mattress_size_says(text: str, least: float, most: float) -> None:
+    """ "King size bed" is a word of the catalogue, and was as wide as any double bed; "king-sized" was not."""
+    scene, _ = scene_from_sentence(f"A bedroom with {text}.")
+    (width,) = (asset.size[1] for asset in scene.assets if asset.category == "bed")
+    assert least <= width <= most

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from itertools import chain
 
 import numpy as np
 
@@ -23,6 +24,7 @@ LARGER = 1.6  # how many times as large as usual a room is from which on it has 
 
 LIT = 22.0  # square metres that one ceiling lamp lights
 SPARE = 0.02  # metres between the top of a thing and the ceiling
+BROAD = 0.6  # metres of width from which on what flanks a thing takes the place of what usually stands there
 SEATS = {"bench", "stool", "pew", "floor cushion"}  # what people sit on at tables in place of chairs
 
 
@@ -47,7 +49,7 @@ class Added:
         laid = {mention.thing.noun.kind for link in links for mention in link.subjects}
         borne = {kind for kind in laid if "floor" not in wishes.kinds[kind].places}
         self.spared = wishes.reading.unwanted.union(*map(self._companions, borne))  # their bearer is said
-        self.spared |= self._unseen()
+        self.spared |= self._unseen() | self._crowded_out()
         self.named = self.spared | self.wished.keys()
         self.ceiling = (wishes.reading.measure("height") or (math.inf,))[0]
         self.found: dict[str, int] = {}
@@ -82,6 +84,20 @@ class Added:
         faced = {name for one, to in roles if one and to and to.name in one.face.roles for name in one.face.roles}
         unseen = {name for name in usual if (role := wishes.role(name)) is not None and role.name in faced}
         return unseen | {name for name in usual if unseen & self._companions(name).keys()}
+
+    def _crowded_out(self) -> set[str]:
+        """Return what usually stands where something broad is said to: night stands beside a bed that wardrobes flank."""
+        wishes, usual = self.wishes, {*self.room.base, *self.room.extras, *chain(*map(self._companions, self.wished))}
+        sides = set[str]()
+        for link in wishes.reading.parsed.links:
+            pair = (link.subjects, link.objects) if link.relation == "flank" else (link.objects, link.subjects)
+            beside, middle = ([wishes.kind(item.thing) for item in mentions(items)] for items in pair)
+            broad = beside and all(wishes.kinds[name].size[1] > BROAD for name in beside)
+            if broad and link.relation in ("flank", "amid"):
+                sides |= {role.name for name in middle if (role := wishes.role(name))}
+        roles = {name: wishes.role(name) for name in usual}
+        joins = {name: role.joins for name, role in roles.items() if role is not None}
+        return {name for name in joins if any(join.slot == "beside" and sides & {*join.of} for join in joins[name])}
 
     def _fits(self, group: Mapping[str, int], limit: float) -> bool:
         low = all(self.wishes.kinds[name].size[2] + SPARE <= self.ceiling for name in group)

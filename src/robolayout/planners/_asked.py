@@ -32,7 +32,9 @@ class Gaps:
     a seat and the stand of a screen; height from which on one sits at a table."""
     touch: float = 0.6
     close: float = 3.0
-    """Metres up to which what stands near a thing stands beside it, and up to which what stands before a thing belongs to it."""
+    thin: float = 0.15
+    """Metres up to which what stands near a thing stands beside it, up to which what stands before a thing belongs to it, and up to
+    which what stands between two things parts them."""
 
 
 GAPS = Gaps()
@@ -184,12 +186,22 @@ def _chains(
         yield a, (b, Join("front", (), gap=gap, loose=held, faces="anchor", say=usual_say("front")))
 
 
+def _usually_beside(a: Cast, b: Cast) -> bool:
+    """Return whether a thing of one role usually stands beside one of another."""
+    return any(join.slot == "beside" and b.role.name in join.of for join in a.role.joins)
+
+
 def _side_by_side(three: Sequence[Cast], passage: float) -> Iterator[tuple[str, tuple[str, Join]]]:
-    """Yield how all three stand side by side where one is to stand between two of a kind that it usually stands beside."""
+    """Yield how all three stand side by side where one is to stand between two of a kind that it usually stands beside.
+
+    So do three that have their backs to walls (a bed between two bookshelves), unless the outer ones usually stand at the middle one.
+    """
     middle, first, last = three
     if first.anchor == last.name:
         first, last = last, first
-    usual = any(join.slot == "beside" and first.role.name in join.of for join in middle.role.joins)
+    usual = _usually_beside(middle, first)
+    if not _usually_beside(first, middle) and middle.asset.size[0] > GAPS.thin:
+        usual = usual or all(one.asset.on_floor and one.role.stands[0] == "wall" for one in three)
     if first.role is last.role and middle.role.name == "privacy screen":
         yield last.name, (first.name, _beside(2 * GAPS.before + middle.asset.size[0], LEFT))
         yield middle.name, (first.name, _beside(GAPS.before, PARTING))

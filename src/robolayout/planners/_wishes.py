@@ -200,7 +200,7 @@ class Wishes:
         name, shown = self.kind(thing), self._shown(thing)
         kind = self.lexicon.kinds[name]
         told = {"square", *(SIZE_WORDS if name != thing.noun.kind else ())} & {*thing.noun.said.split()}
-        size = self._large_enough(thing, sized(kind, (*thing.adjectives, *told), thing.sizes))
+        size = self._large_enough(thing, sized(kind, (*thing.adjectives, *told), thing.sizes, thing.noun.said))
         if not all(0.0 < side <= LONGEST for side in size):
             shape = f"{' x '.join(f'{side:g}' for side in size)} m"
             raise SceneError(f"a {shown} of {shape} cannot be placed; give it sides above 0 and at most {LONGEST:g} m.")

@@ -234,16 +234,17 @@ def _words(chunk: Chunk, words: Sequence[Token]) -> str:
     return said.removeprefix("a ").removeprefix("an ").removeprefix("the ")
 
 
-def sized(kind: Category, adjectives: Sequence[str], measures: Sequence[Measure] = ()) -> Size:
-    """Return depth, width and height in metres of a kind of thing with such adjectives and measures.
+def sized(kind: Category, adjectives: Sequence[str], measures: Sequence[Measure] = (), noun: str = "") -> Size:
+    """Return depth, width and height in metres of a kind of thing with such adjectives and measures, said as such a noun.
 
     >>> from robolayout.assets import CATALOGUE
     >>> sized(CATALOGUE["bed"], ("king", "size"))
     (2.1, 1.95, 1.0)
     """
     lists = grammar()
-    said = " ".join(word for word in adjectives if word not in ("size", "sized"))
-    depth, width, height = lists.models.get(f"{said} {kind.name}") or kind.size
+    said = ([*adjectives, kind.name], noun.split())
+    models = [" ".join(word for word in words if word not in ("size", "sized")) for words in said]
+    depth, width, height = next((lists.models[model] for model in models if model in lists.models), kind.size)
     for word in dict.fromkeys(adjectives) if (depth, width, height) == kind.size else ():
         d, w, h = lists.sizes.get(word, (1.0, 1.0, 1.0))
         depth, width, height = depth * d, width * w, height * h
