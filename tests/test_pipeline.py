@@ -211,4 +211,4 @@ def test_other_ways_are_not_tried_for_a_drawer_that_stays_shut(monkeypatch: pyte
     found = rl.generate(scene)
     program, best = found.reconciled.program, replace(found.solution, verdict=replace(found.solution.verdict, soft=0.5))
     monkeypatch.setattr(flow, "compile_problem", lambda *_, **__: pytest.fail("a way was built"))
-    assert flow._opened(scene, program, best, seed=0, config=None) is best
+    assert flow._bettered(scene, program, best, seed=0, config=None) is best
