@@ -242,7 +242,7 @@ def sized(kind: Category, adjectives: Sequence[str], measures: Sequence[Measure]
     (2.1, 1.95, 1.0)
     """
     lists = grammar()
-    said = ([*adjectives, kind.name], noun.removesuffix(kind.name).split() + [kind.name])
+    said = ([*adjectives, kind.name], [*noun.removesuffix(kind.name).split(), kind.name])
     models = [" ".join(word for word in words if word not in ("size", "sized")) for words in said]
     depth, width, height = next((lists.models[model] for model in models if model in lists.models), kind.size)
     for word in dict.fromkeys(adjectives) if (depth, width, height) == kind.size else ():
