@@ -155,3 +155,15 @@ def test_what_is_broad_stands_at_a_bed_in_place_of_night_stands(text: str) -> No
 def test_a_bed_between_night_stands_or_side_tables_keeps_them() -> None:
     scene, _ = scene_from_sentence("A bedroom with a bed between two night stands.")
     assert sum(asset.category == "night stand" for asset in scene.assets) == 2
+
+
+def test_two_sofas_that_face_each_other_stand_straight_with_room_for_the_coffee_table() -> None:
+    """Room for knees was measured from the length of the sofas, which then stood askew and 1.6 m from where the planner had them."""
+    result = rl.generate("A living room with two sofas facing each other.")
+    assert result.report.ok and all(item.met for item in result.report.statements)
+    one, other, table = (result.layout[name] for name in ("sofa-0", "sofa-1", "coffee_table-0"))
+    assert abs(math.remainder(one.yaw - other.yaw - math.pi, math.tau)) < 0.02
+    assert abs(math.remainder(one.yaw, math.pi / 2)) < 0.02
+    depth = sum(asset.size[0] for asset in result.scene.assets if asset.name.startswith("sofa")) / 2
+    assert 1.2 < math.dist(one.at, other.at) - depth < 1.8
+    assert abs(math.dist(table.at, one.at) - math.dist(table.at, other.at)) < 0.3

@@ -177,13 +177,19 @@ def _chains(
             yield from _side_by_side([cast[name] for name in names], passage)
     pairs = [(demand, *one.asset_names()) for demand in demands for one in demand.ways[0] if one.name == "facing_pair"]
     for demand, a, b in pairs:
-        top = next((cast[middle] for middle, *ends in between if {*ends} == {a, b}), None)
+        top = next((cast[middle] for middle, *ends in between if {*ends} == {a, b}), _before_both(cast, a, b))
         if top is not None and top.role.name.endswith("table") and top.asset.size[2] > GAPS.sat_at:
             yield from ((name, (top.name, AROUND)) for name in (a, b))
             continue
         held = a in subjects(other for other in demands if other is not demand)
         gap = max(GAPS.across, (top.asset.size[0] if top is not None else 0.0) + 2 * GAPS.before)
         yield a, (b, Join("front", (), gap=gap, loose=held, faces="anchor", say=usual_say("front")))
+
+
+def _before_both(cast: Mapping[str, Cast], a: str, b: str) -> Cast | None:
+    """Return the coffee table that stands before one of two things, and so between them where they face each other."""
+    before = (one for one in cast.values() if one.anchor in (a, b) and one.join.slot == "front")
+    return next((one for one in before if one.role.name == "coffee table"), None)
 
 
 def _usually_beside(a: Cast, b: Cast) -> bool:

@@ -322,7 +322,8 @@ def solve(  # noqa: PLR0913 - as `generate`
 
     Args:
         solver: Name of a solver: "default", "paper", "paper-unrefined", "trust-constr" or "dual-annealing".
-        ways: Whether the ways of statements that leave one open are tried by themselves where one is not met.
+        ways: Whether what is left of a room that is not right is mended for longer, and other ways of statements that leave one open
+            are tried by themselves.
     """
     if isinstance(program, str):
         program = reconcile(read_program(program, scene), scene, paper=solver in (PAPER, UNREFINED)).program

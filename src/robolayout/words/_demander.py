@@ -144,8 +144,9 @@ class Demander(AtPlaces):
         ways = ways_of.BY_TWOS["mutual desks" if desks else relation]
         for a, b in zip(it.subjects[::2], it.subjects[1::2], strict=False):
             demand, seated = by_ways(ways, b, a), relation == "mutual" and self._is(a, ways_of.SEATS)
-            knees = (self._gap(b, AssetRef(a), ways_of.KNEES, math.inf),) if seated else ()
-            yield Demand(tuple((*way, *knees) for way in demand.ways))
+            deep = sum(self._asset(name).size[0] for name in (a, b)) / 2  # their fronts are the sides that meet
+            knees = stated("distance_constraint", AssetRef(b), AssetRef(a), round(ways_of.KNEES + deep, 3))
+            yield Demand(tuple((*way, *([knees] if seated else ())) for way in demand.ways))
 
     def _on_each(self, a: str, b: str) -> Demand:
         """A thing rests on another: a rug lies below what stands on it."""
