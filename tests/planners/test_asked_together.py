@@ -167,3 +167,6 @@ def test_two_sofas_that_face_each_other_stand_straight_with_room_for_the_coffee_
     depth = sum(asset.size[0] for asset in result.scene.assets if asset.name.startswith("sofa")) / 2
     assert 1.2 < math.dist(one.at, other.at) - depth < 1.8
     assert abs(math.dist(table.at, one.at) - math.dist(table.at, other.at)) < 0.3
+    assert math.dist(table.at, result.layout["rug-0"].at) < 0.1, (
+        "it was built behind the second sofa, and the rug stayed there"
+    )

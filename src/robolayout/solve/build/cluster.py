@@ -119,7 +119,10 @@ class ClusterBuilder:
         return found
 
     def _front(self, anchor: Want, items: Sequence[Want], placed: Sequence[Member]) -> list[Member]:
-        """Side by side before the front (or behind the back), facing the anchor unless told otherwise."""
+        """Side by side before the front (or behind the back), facing the anchor unless told otherwise.
+
+        They stand beyond what is there already, or between if there is room: a coffee table between two sofas.
+        """
         bx, _ = _half(anchor)
         sign = 1.0 if _slot(items) == "front" else -1.0
         side = "front" if sign > 0 else "back"
@@ -128,7 +131,9 @@ class ClusterBuilder:
             for m in placed[1:]
             if m.side == side and m.bottom == 0.0 and self.wants[m.name].anchor == anchor.name
         ]
-        edge = max([bx] + [box[2] if sign > 0 else -box[0] for box in taken])
+        nearest = min((box[0] if sign > 0 else -box[2] for box in taken), default=0.0)
+        between = bx + max(item.joined.gap + item.asset.size[0] for item in items) <= nearest
+        edge = max([bx] + [box[2] if sign > 0 else -box[0] for box in taken if not between])
         width = sum(item.asset.size[1] + 0.12 for item in items) - 0.12
         y, found = width / 2, list[Member]()
         for item in items:
