@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from functools import lru_cache
-
 from robolayout.assets.category import CATALOGUE, Category
 from robolayout.assets.drawing import Drawing
 from robolayout.assets.fronts import hollowed
@@ -29,14 +27,8 @@ def parts(asset: Asset, seed: int = 0, *, shut: bool = False) -> tuple[Part, ...
         from robolayout.assets.own import load_mesh_parts
 
         return load_mesh_parts(asset.path, asset.size, up=said.get("up"), front=said.get("front"))
-    return _drawn(asset, seed, said.get("look", ""), shut=shut)
-
-
-@lru_cache(maxsize=512)
-def _drawn(asset: Asset, seed: int, look: str, *, shut: bool) -> tuple[Part, ...]:
-    """Return the parametric parts of an asset; its shape, its surfaces and what opens are all read off them."""
     category = category_of(asset)
-    piece = make_piece(category.name, asset.variable or asset.name, asset.name, asset.size, seed, look)
+    piece = make_piece(category.name, asset.variable or asset.name, asset.name, asset.size, seed, said.get("look", ""))
     build = read_rows(asset.parts, f"asset {asset.name!r}") if asset.parts else builder_for(category)
     made = jointed(fit(build(piece), asset.size), joints_of(category), asset.size)
     made = made if shut else hollowed(made)

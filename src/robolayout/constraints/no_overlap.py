@@ -29,13 +29,18 @@ def meeting_prisms(a: Asset, b: Asset, layout: Layout) -> tuple[tuple[Prism, Pri
     if not share_height(a, b, layout):
         return ()
     apart = vertical_span(b, layout[b.name])[0] - vertical_span(a, layout[a.name])[0]
-    return _meeting(prisms_of(a), prisms_of(b), round(apart, 4))
+    return _meeting(a, b, round(apart, 4))
 
 
 @lru_cache(maxsize=1 << 14)
-def _meeting(a: tuple[Prism, ...], b: tuple[Prism, ...], apart: float) -> tuple[tuple[Prism, Prism], ...]:
-    """Return the pairs of prisms of one height of two things, where the second stands `apart` metres higher than the first."""
-    pairs = [(p, q) for p in a for q in b if min(p.high, q.high + apart) - max(p.low, q.low + apart) > TOLERANCE.height]
+def _meeting(a: Asset, b: Asset, apart: float) -> tuple[tuple[Prism, Prism], ...]:
+    """Return the pairs of prisms of one height where b stands `apart` metres higher than a."""
+    pairs = [
+        (p, q)
+        for p in prisms_of(a)
+        for q in prisms_of(b)
+        if min(p.high, q.high + apart) - max(p.low, q.low + apart) > TOLERANCE.height
+    ]
     kept: list[tuple[Prism, Prism]] = []
     for pair in sorted(pairs, key=lambda pair: -pair[0].hx * pair[0].hy * pair[1].hx * pair[1].hy):
         if not any(pair[0].within(p) and pair[1].within(q) for p, q in kept):
@@ -47,10 +52,7 @@ def prisms_meet(one: tuple[Asset, Pose], other: tuple[Asset, Pose], margin: floa
     """Return whether prisms of two things are less than `margin` metres apart in plan at one height."""
     (a, here), (b, there) = one, other
     apart = vertical_span(b, there)[0] - vertical_span(a, here)[0]
-    return any(
-        _placed(p, here).distance(_placed(q, there)) < margin
-        for p, q in _meeting(prisms_of(a), prisms_of(b), round(apart, 4))
-    )
+    return any(_placed(p, here).distance(_placed(q, there)) < margin for p, q in _meeting(a, b, round(apart, 4)))
 
 
 @dataclass(frozen=True)

@@ -96,8 +96,7 @@ class Added:
             if broad and link.relation in ("flank", "amid"):
                 sides |= {role.name for name in middle if (role := wishes.role(name))}
         roles = {name: wishes.role(name) for name in usual}
-        joins = {name: role.joins for name, role in roles.items() if role is not None}
-        return {name for name in joins if any(join.slot == "beside" and sides & {*join.of} for join in joins[name])}
+        return {name for name, role in roles.items() if role is not None and any(map(role.stands_beside, sides))}
 
     def _fits(self, group: Mapping[str, int], limit: float) -> bool:
         low = all(self.wishes.kinds[name].size[2] + SPARE <= self.ceiling for name in group)

@@ -192,11 +192,6 @@ def _before_both(cast: Mapping[str, Cast], a: str, b: str) -> Cast | None:
     return next((one for one in before if one.role.name == "coffee table"), None)
 
 
-def _usually_beside(a: Cast, b: Cast) -> bool:
-    """Return whether a thing of one role usually stands beside one of another."""
-    return any(join.slot == "beside" and b.role.name in join.of for join in a.role.joins)
-
-
 def _side_by_side(three: Sequence[Cast], passage: float) -> Iterator[tuple[str, tuple[str, Join]]]:
     """Yield how all three stand side by side where one is to stand between two of a kind that it usually stands beside.
 
@@ -205,8 +200,8 @@ def _side_by_side(three: Sequence[Cast], passage: float) -> Iterator[tuple[str, 
     middle, first, last = three
     if first.anchor == last.name:
         first, last = last, first
-    usual = _usually_beside(middle, first)
-    if not _usually_beside(first, middle) and middle.asset.size[0] > GAPS.thin:
+    usual = middle.role.stands_beside(first.role.name)
+    if not first.role.stands_beside(middle.role.name) and middle.asset.size[0] > GAPS.thin:
         usual = usual or all(one.asset.on_floor and one.role.stands[0] == "wall" for one in three)
     if first.role is last.role and middle.role.name == "privacy screen":
         yield last.name, (first.name, _beside(2 * GAPS.before + middle.asset.size[0], LEFT))

@@ -21,11 +21,11 @@ from robolayout.solve import (
     PAPER,
     UNREFINED,
     Solution,
+    Solver,
     SolverConfig,
     askew,
     compile_problem,
     dress,
-    mended,
     silent,
     solve_samples,
     solve_with,
@@ -351,9 +351,12 @@ def _bettered(
     with rooms that are built for them; of equals the one with the fewest things askew is taken.
     """
     judge, config = make_judge(scene, program), config or SolverConfig()
-    if best.verdict.broken:
-        problem = compile_problem(scene, program, seed=seed, pinned=pinned, built=best.layout)
-        best = mended(problem, judge, best, seed=seed, config=config, progress=progress)
+    if best.verdict.broken and not any(guess.position is not None for guess in program.guesses.values()):
+        problem = replace(
+            compile_problem(scene, program, seed=seed, pinned=pinned, built=best.layout), guess=best.layout
+        )
+        longer = Solver(problem, judge, config, seed=seed, progress=progress or silent).mend()
+        best = min(best, replace(longer, trace=best.trace), key=lambda one: one.verdict.merit)
     # drawers that stay shut are no statements
     hopeless = config.effort.hopeless(best.verdict.broken, len(scene.assets))
     if hopeless or _said_holds(scene, program, best):

@@ -11,7 +11,6 @@ from robolayout.solve.dress import Dressed as Dressed
 from robolayout.solve.dress import dress as dress
 from robolayout.solve.profiles import PAPER as PAPER
 from robolayout.solve.profiles import UNREFINED as UNREFINED
-from robolayout.solve.profiles import mended as mended
 from robolayout.solve.profiles import solve_samples as solve_samples
 from robolayout.solve.profiles import solve_with as solve_with
 from robolayout.solve.profiles import solver_names as solver_names

@@ -65,27 +65,6 @@ def solve_with(
     return scipy.trust_constr() if name == "trust-constr" else scipy.dual_annealing()
 
 
-def mended(
-    problem: Problem,
-    judge: Judge,
-    best: Solution,
-    *,
-    seed: int = 0,
-    config: SolverConfig | None = None,
-    progress: Progress | None = None,
-) -> Solution:
-    """Return a solution or, where demands are left, the same room with single things placed anew as long as that gains something.
-
-    It takes hundreds of layouts, so the search for a room without guesses leaves this to whoever has the best of several.
-    """
-    config = config or SolverConfig()
-    if problem.guessed or not best.verdict.broken:
-        return best
-    there = replace(problem, guess=best.layout)
-    found = Solver(there, judge, config, seed=seed, progress=progress or silent).mend()
-    return min(best, replace(found, trace=best.trace), key=lambda one: one.verdict.merit)
-
-
 def solve_samples(
     problems: Sequence[Problem],
     judges: Sequence[Judge],

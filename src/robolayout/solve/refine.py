@@ -62,6 +62,7 @@ class Solver:
         for stage in self.stages:
             self.phase = self.made_by
             self._stage(stage.at(self.world))
+        # a search for a room without guesses leaves to whoever has the best of several what takes hundreds of layouts
         given_up = self.effort.hopeless(self.verdict.broken, len(self.problem.names)) or self.verdict is self.stuck
         if self.problem.guessed or not given_up:
             self._repair()
@@ -289,8 +290,10 @@ class Solver:
 
     def _mend(self, most: int) -> None:
         """Place single things to blame anew while all else stays, in turn, as long as the judge likes that better."""
+        if self.verdict is self.stuck:
+            return
         turn = 0
-        for _ in range(most if self.verdict is not self.stuck else 0):
+        for _ in range(most):
             slots = self._blamed(0)
             if self.verdict.ok or not slots or self.spent:
                 break

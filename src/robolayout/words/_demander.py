@@ -146,7 +146,7 @@ class Demander(AtPlaces):
             demand, seated = by_ways(ways, b, a), relation == "mutual" and self._is(a, ways_of.SEATS)
             deep = sum(self._asset(name).size[0] for name in (a, b)) / 2  # their fronts are the sides that meet
             knees = stated("distance_constraint", AssetRef(b), AssetRef(a), round(ways_of.KNEES + deep, 3))
-            yield Demand(tuple((*way, *([knees] if seated else ())) for way in demand.ways))
+            yield Demand(tuple((*way, knees) for way in demand.ways) if seated else demand.ways)
 
     def _on_each(self, a: str, b: str) -> Demand:
         """A thing rests on another: a rug lies below what stands on it."""

@@ -126,14 +126,15 @@ class ClusterBuilder:
         bx, _ = _half(anchor)
         sign = 1.0 if _slot(items) == "front" else -1.0
         side = "front" if sign > 0 else "back"
-        taken = [
+        boxes = (
             box_of(m, self.wants[m.name].asset.size)
             for m in placed[1:]
             if m.side == side and m.bottom == 0.0 and self.wants[m.name].anchor == anchor.name
-        ]
-        nearest = min((box[0] if sign > 0 else -box[2] for box in taken), default=0.0)
+        )
+        taken = [(box[0], box[2]) if sign > 0 else (-box[2], -box[0]) for box in boxes]
+        nearest = min((near for near, _ in taken), default=0.0)
         between = bx + max(item.joined.gap + item.asset.size[0] for item in items) <= nearest
-        edge = max([bx] + [box[2] if sign > 0 else -box[0] for box in taken if not between])
+        edge = bx if between else max([bx, *(far for _, far in taken)])
         width = sum(item.asset.size[1] + 0.12 for item in items) - 0.12
         y, found = width / 2, list[Member]()
         for item in items:
