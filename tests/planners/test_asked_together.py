@@ -52,7 +52,7 @@ def program(text: str) -> str:
         ),
         (
             "a bedroom with a bed between two bookshelves",
-            ("wish.left_of(bed[0], bookshelf[0]", "wish.left_of(bookshelf[1], bed[0]"),
+            ("wish.next_to(bookshelf[0], bed[0]", "wish.next_to(bookshelf[1], bed[0]", "against_wall(bookshelf[0]"),
         ),
         (
             "a bedroom with two single beds and a folding screen between them",

@@ -9,6 +9,7 @@ import pytest
 
 from robolayout.constraints import WallRef
 from robolayout.constraints.against_wall import AgainstWall
+from robolayout.constraints.mounted_on import MountedOn
 from robolayout.constraints.zone import Zone
 from robolayout.planners import scene_from_sentence
 from robolayout.scene import Asset, Room, Scene
@@ -47,6 +48,8 @@ def links(text: str) -> set[tuple[str, ...]]:
         ("four desks, each with a chair on both sides", {"desk": 4, "chair": 8}),
         ("a hall where the walls are lined with benches", {"bench": 4}),
         ("Books and plants stand along the walls.", {"book": 2, "plant": 2}),
+        ("a bedroom for two children with a desk each", {"desk": 2}),
+        ("a bedroom with a desk each for three children", {"desk": 3}),
         ("A judge's bench at the front, and three rows of benches at the back.", {"bench": 10}),
     ],
 )  # fmt: skip
@@ -73,6 +76,10 @@ def test_counts(text: str, counts: dict[str, int]) -> None:
         ),
         ("an armchair, a lamp behind it and a table beside it", {("behind", "lamp", "armchair"), ("next", "table", "armchair")}),
         ("None of the beds is under the window.", {("apart", "bed", "window")}),
+        ("twenty desks and a teacher's desk in front of a whiteboard", {("front", "teacher desk", "whiteboard")}),
+        ("a class with twenty desks and a teacher's desk in front of a whiteboard", {("front", "teacher desk", "whiteboard")}),
+        ("two desks and a table in front of a whiteboard", {("front", "desk", "whiteboard"), ("front", "table", "whiteboard")}),
+        ("a cafe with two tables with four chairs each and a bar along the wall", {("with", "chair", "table"), ("wall", "bar", "wall")}),
         ("a wall of bookshelves", {("wall", "bookshelf", "wall")}),
         ("a wall-mounted TV", {("on", "wallmounted tv", "wall")}),
         ("On the left a desk, on the right a bed.", {("in", "desk", "side"), ("in", "bed", "side")}),
@@ -155,6 +162,21 @@ def test_pictures_in_a_row_hang_on_one_wall() -> None:
     (row,) = [row for row in read_words(scene).rows if row.kind == "relation"]
     assert len(row.demands) == 2
     assert {said.name for demand in row.demands for way in demand.ways for said in way} == {"near", "mounted_on"}
+
+
+def walls_of(text: str) -> list[set[int]]:
+    """Return the walls that each way of what is asked of walls names."""
+    demands = [d for row in read_words(scene_from_sentence(text)[0]).rows for d in row.demands]
+    found = [
+        [[one for one in way if isinstance(one, AgainstWall | MountedOn)] for way in demand.ways] for demand in demands
+    ]
+    return [{one.wall.index for one in way if one.wall is not None} for ways in found for way in ways if way]
+
+
+def test_both_walls_and_each_wall_have_some() -> None:
+    assert walls_of("a storage room of 6 x 4 m with shelves on both long walls") == [{0}, {2}]
+    assert walls_of("a gallery with a painting on each wall") == [{0}, {1}, {2}, {3}]
+    assert walls_of("a hall with benches along both walls") == [{0, 2}, {1, 3}, {2, 0}, {3, 1}]
 
 
 def test_rows_name_things_as_they_were_said() -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from itertools import chain
@@ -11,7 +12,7 @@ import numpy as np
 
 from robolayout.planners._wishes import Wishes, head
 from robolayout.scene import Agent
-from robolayout.words import mentions, visits
+from robolayout.words import mentions, place_in, visits
 
 COMFORT, AIRY = 0.26, 0.15
 """Shares of the floor up to which further things are added: usually, and in a room that is to be airy."""
@@ -51,6 +52,9 @@ class Added:
         self.spared = wishes.reading.unwanted.union(*map(self._companions, borne))  # their bearer is said
         self.spared |= self._unseen() | self._crowded_out()
         self.named = self.spared | self.wished.keys()
+        said = wishes.reading.parsed.links
+        corners = (link for link in said if link.relation == "corner" or place_in(link.objects[:1], "corner"))
+        self.cornered = {wishes.kind(mention.thing) for link in corners for mention in link.subjects}
         self.ceiling = (wishes.reading.measure("height") or (math.inf,))[0]
         self.found: dict[str, int] = {}
 
@@ -64,8 +68,8 @@ class Added:
         for name, most in [*self.room.base.items(), *(extras[i] for i in rng.permutation(len(extras)))]:
             owners = {other for other in self.room.base if head(name) == "chair" and name in self._companions(other)}
             owned = not owners or owners & {*self.wished, *self.found}
-            if owned and not self._named(name) and name not in self.found:
-                self._add(name, most)
+            if owned and not self._named(name) and name not in self.found and not self._of_one(name):
+                self._add(name, self._at_open_sides(name, most))
         self._zones()
         if "ceiling lamp" in self.found:
             self.found["ceiling lamp"] = max(self.found["ceiling lamp"], round(self.floor / LIT))
@@ -79,9 +83,10 @@ class Added:
         """Return what nobody looks at where seats face another such thing: a television where the sofa faces the fireplace."""
         wishes, usual = self.wishes, [*self.room.base, *self.room.extras]
         links = [link for link in wishes.reading.parsed.links if link.relation in ("facing", "opposite", "front")]
-        pairs = [(one.thing, to.thing) for link in links for one in link.subjects for to in mentions(link.objects)]
-        roles = [(wishes.role(wishes.kind(one)), wishes.role(wishes.kind(to))) for one, to in pairs]
-        faced = {name for one, to in roles if one and to and to.name in one.face.roles for name in one.face.roles}
+        seen = (to.thing for link in links for one in link.subjects if one.sat_on for to in mentions(link.objects))
+        watched = {role.name for to in seen if (role := wishes.role(wishes.kind(to)))}
+        looks = (set(role.face.roles) for name in usual if (role := wishes.role(name)))
+        faced = set[str]().union(*(roles for roles in looks if roles & watched))
         unseen = {name for name in usual if (role := wishes.role(name)) is not None and role.name in faced}
         return unseen | {name for name in usual if unseen & self._companions(name).keys()}
 
@@ -107,6 +112,15 @@ class Added:
             return False
         taken = self.wishes.floor_area(both(self.wished, self.found, group))
         return self.wishes.floor_area(group) == 0 or taken <= limit * self.floor
+
+    def _of_one(self, name: str) -> bool:
+        """Return whether a thing would lie under one of several alike: a rug under the first of three tables."""
+        role, counts = self.wishes.role(name), Counter[str]()
+        for other, count in both(self.wished, self.found).items():
+            if (bearer := self.wishes.role(other)) is not None:
+                counts[bearer.name] += count
+        over = next((kind for kind in role.above if counts[kind]), "") if role and role.stands == ("rug",) else ""
+        return counts[over] > 1
 
     def _room_on_tops(self, group: Mapping[str, int]) -> bool:
         """Whether tops have room for everything that is added and can stand on some."""
@@ -137,7 +151,12 @@ class Added:
         there |= {"chair"} if head(name) == "table" and SEATS & {*self.wished} else set()
         for other, each in self._companions(name).items():
             if other not in self.spared and head(other) not in there:
-                self.found[other] = self.found.get(other, 0) + count * each
+                self.found[other] = self.found.get(other, 0) + count * self._at_open_sides(other, each)
+
+    def _at_open_sides(self, name: str, most: int) -> int:
+        """Return how many of a thing are added: one where it usually stands beside what is asked into a corner."""
+        role, owners = self.wishes.role(name), map(self.wishes.role, self.cornered)
+        return 1 if role and any(owner and role.stands_beside(owner.name) for owner in owners) else most
 
     def _of_another(self, name: str, owner: str) -> bool:
         """Return whether a thing is said to be around, or with, other things than its owner alone: the chairs of a table."""

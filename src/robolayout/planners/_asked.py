@@ -73,9 +73,8 @@ def join_as_asked(cast: Mapping[str, Cast], demands: Sequence[Demand], passage: 
     """
     found = dict(cast)
     chains = dict(_chains(cast, demands, passage))
-    tops = {
-        anchor for anchor, join in chains.values() if join.slot == "around"
-    }  # what is around a table comes after it
+    # what is around a table, or at both sides of a thing, comes after it
+    tops = {anchor for anchor, join in chains.values() if join.slot in ("around", "beside")} - chains.keys()
     joins = dict(one for demand in demands for one in _joins(demand, cast, passage))
     # two that face each other by the fireplace do not stand beside it with their backs in line
     faced = {one.asset_names()[1] for one in said(demands) if one.name == "facing_pair"}
@@ -104,8 +103,8 @@ def join_as_asked(cast: Mapping[str, Cast], demands: Sequence[Demand], passage: 
     return found
 
 
-PLACELESS = ("point_towards", "under", "above")
-"""Relations that say nothing of where their thing stands on the floor: looking at something moves nothing."""
+PLACELESS = ("point_towards", "align_with", "under", "above")
+"""Relations that say nothing of where their thing stands on the floor: looking at something, or as something, moves nothing."""
 
 
 def said(demands: Iterable[Demand], *, placing: bool = False) -> list[Relation]:
@@ -139,10 +138,12 @@ def held_by_walls(demands: Sequence[Demand]) -> set[str]:
     return {name for _, name, *_ in asked} - free - {others[0] for how, _, *others in asked if how == "behind"}
 
 
-def cornered(demands: Iterable[Demand]) -> set[str]:
-    """Return what is asked to be in one corner and no other."""
+def needing_room(cast: Mapping[str, Cast], demands: Sequence[Demand]) -> set[str]:
+    """Return what is asked to be in one corner and no other, or has two at its sides that are asked there: it is placed first."""
     only = said(demand for demand in demands if len(demand.ways) == 1)
-    return {relation.asset_names()[0] for relation in only if relation.name == "corner"}
+    between = [demand.exact.asset_names() for demand in demands if demand.exact is not None]
+    rows = {middle for middle, *ends in between if {cast[end].anchor for end in ends} == {middle}}
+    return rows | {relation.asset_names()[0] for relation in only if relation.name == "corner"}
 
 
 def _beside(gap: float, say: tuple[str, ...]) -> Join:
@@ -207,8 +208,11 @@ def _side_by_side(three: Sequence[Cast], passage: float) -> Iterator[tuple[str, 
         yield last.name, (first.name, _beside(2 * GAPS.before + middle.asset.size[0], LEFT))
         yield middle.name, (first.name, _beside(GAPS.before, PARTING))
     elif first.role is last.role and usual:
-        join = _beside(max(GAPS.seated, (passage - middle.asset.size[1]) / 2), LEFT)
-        yield from ((middle.name, (first.name, join)), (last.name, (middle.name, join)))
+        gap = max(GAPS.seated, (passage - middle.asset.size[1]) / 2)
+        if middle.role.stands_beside(first.role.name):
+            yield from ((a.name, (b.name, _beside(gap, LEFT))) for a, b in ((middle, first), (last, middle)))
+        else:
+            yield from ((one.name, (middle.name, _beside(gap, usual_say("beside")))) for one in (first, last))
 
 
 def _join(relation: Relation, a: Cast, b: Cast, asked: Mapping[str, Relation], passage: float) -> Join | None:

@@ -46,7 +46,7 @@ class Writer:
     scene: Scene
     cast: Mapping[str, Cast]  # its assets in their roles
     asked: Set[str]  # things of which the user's words say where they stand: roles only wish then
-    cornered: Set[str]  # those of them with a corner of their own: placed before it is taken
+    first: Set[str]  # those of them that are placed first, before their corner or the wall for all of a row is taken
     walled: Set[str]  # those of them whose wall the words leave to them
     # what the words hang something above on the wall, and what that is: nothing else hangs there
     below: Mapping[str, str]
@@ -61,7 +61,7 @@ class Writer:
         hangs = bool(self.asked) and top.asset.on_wall and not top.asset.on_floor and top.name not in seen
         late = (hangs or top.role.rank >= SAYING.small) and top.name not in self.asked
         turn = (top.role.rank, -top.asset.size[0] * top.asset.size[1], top.name)
-        return (top.name not in self.cornered, late, *turn, name != top.name, self.cast[name].role.rank)
+        return (top.name not in self.first, late, *turn, name != top.name, self.cast[name].role.rank)
 
     def lines(self, name: str) -> Iterator[str]:
         """Yield what is said of one asset; sets of assets speak with their last one."""
@@ -129,13 +129,13 @@ class Writer:
         """Yield how a thing stands by itself: demanded where its role leaves no other way, else wished."""
         modes, name = _modes(item), item.name
         values, say = self._values(item), item.role.say
-        bound = SAYING.joined if item.anchor or name in self.asked else None
+        bound = SAYING.joined if self._leans(item) or name in self.asked else None
         if modes[0] in ("hang", "ceiling", "rug"):
             yield from self._off_the_floor(item, modes[0])
         elif modes == ["corner"]:
             yield from self._fill(say["corner"], values, bound)
         elif set(modes) <= {"wall", "corner"}:
-            free = bound is not None and (item.anchor or name not in self.walled)
+            free = bound is not None and (self._leans(item) or name not in self.walled)
             held = name in self._held and not free
             yield from self._fill(say["wall"], values, None if held else SAYING.only)
         else:
@@ -158,8 +158,13 @@ class Writer:
             item = self.cast[name]
             if item.asset.on_floor and not item.asset.is_flat and set(_modes(item)) <= {"wall", "corner"}:
                 left -= item.asset.size[1]
-                found += [name] if left >= 0.0 and not item.anchor and _modes(item) == ["wall"] else []
+                found += [name] if left >= 0.0 and not self._leans(item) and _modes(item) == ["wall"] else []
         return frozenset(found)
+
+    def _leans(self, item: Cast) -> bool:
+        """Return whether a thing has its place from what it joins: all but what is asked beside a thing that it never stands beside."""
+        beside = item.join.slot == "beside" and not item.role.stands_beside(self.cast[item.anchor].role.name)
+        return bool(item.anchor) and not beside
 
     def _playing(self, *roles: str) -> list[str]:
         """Return what plays some roles, in their order."""
@@ -248,9 +253,12 @@ class Writer:
                 yield from self._fill(wished, values | {"others": self._list(others)}, -weight if away else weight)
 
     def _cleared(self, item: Cast) -> Iterator[str]:
-        """Yield the sides that a thing wants clear, where its kind does not say it."""
+        """Yield the sides that a thing wants clear, where its kind does not say it; a seat that stands by itself is not pushed back."""
+        by_itself = item.join.slot in ("", "beside")
         in_a_block = len(self._equal(item)) >= item.role.prefer.get("block", math.inf)
         for side, depth in item.role.clear.items() if item.asset.on_floor else ():
+            if side == "back" and by_itself:
+                continue
             for one in (("left", "right") if not in_a_block else ()) if side == "side" else (side,):
                 wide = depth if depth > 0 else passage(self.scene)
                 yield _wish(f'keep_clear({self._name(item.name)}, "{one}", {wide:g})')

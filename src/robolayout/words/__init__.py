@@ -2,7 +2,7 @@
 
 from robolayout.words._lexicon import KIN, Lexicon, dressing, grammar
 from robolayout.words._places import COMPASS, walls_meant
-from robolayout.words._said import Link, Mention, Place, Thing, mentions, named, sides
+from robolayout.words._said import Link, Mention, Place, Thing, mentions, named, place_in, sides
 from robolayout.words._tokens import Measure
 from robolayout.words._ways import visits
 from robolayout.words.demands import Demand
@@ -29,6 +29,7 @@ __all__ = [
     "grammar",
     "mentions",
     "named",
+    "place_in",
     "read_rooms",
     "read_text",
     "read_words",

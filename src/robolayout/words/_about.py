@@ -12,7 +12,7 @@ from robolayout.words._appositions import LISTED
 from robolayout.words._chunk import Chunk
 from robolayout.words._references import References
 from robolayout.words._said import Item, Mention, Place, mentions, named, place_in, place_of
-from robolayout.words._ways import OTHER_SIDE, SEATS, TOPS
+from robolayout.words._ways import CROWD, OTHER_SIDE, SEATS, TOPS
 
 CORNERS, WALLS = ("near", "far"), ("facing", "behind", "by", "with")
 """Relations by which a door or window tells a corner or a wall from the others."""
@@ -288,6 +288,8 @@ class About(References):
         unit = self.chunks[begun]  # "an armchair and ottoman"
         if not (unit.det or unit.plural or unit.number is not None or earlier[1:]):
             return True
+        if earlier[0].count >= CROWD > last.count:
+            return False  # "twenty desks and a teacher's desk in front of the board"
         alike = all(mention.thing.head in (*SEATS, *TOPS) for mention in self.group)
         if any(c.kind in ("room", "with", "colon") and c.start >= self.began for c in self.chunks[:begun]):
             return alike and not earlier[1:]

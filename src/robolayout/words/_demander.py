@@ -247,6 +247,8 @@ class Demander(AtPlaces):
         if relation == "end" and self._only_wall(a):
             depth, width, _ = self._asset(b).size
             return ways_of.END_WALLS[width >= depth]  # "a screen on the wall at one end of the table"
+        if relation == "front" and self._is(a, ways_of.SEATS) and self._is(b, ways_of.WATCHED):
+            return ways_of.BEFORE_WATCHED
         if relation != "front" or b not in self.manned:
             return ways_of.TO_ANOTHER[relation]
         return (ways_of.ACROSS_A_DESK[0 if self._is(a, ways_of.SEATS) else 1],)
@@ -272,6 +274,10 @@ class Demander(AtPlaces):
         if one := self._of_rows(it):  # the others look as it does
             yield Demand((tuple(stated("align_with", AssetRef(a), AssetRef(*one)) for a in subjects if a not in one),))
             subjects = one
+        elif len(subjects) >= ways_of.CROWD and len(others) == 1 and alike(self.scene, subjects):
+            turn = 0.0 if self._is(subjects[0], ("desk", "table")) else 180.0  # a crowd looks one way
+            yield from (single(stated("align_with", AssetRef(a), AssetRef(*others), turn)) for a in subjects)
+            return
         for i, a in enumerate(subjects):
             targets = [AssetRef(b) for b in others if b != a] if others else self._points(it.place)
             if len(others) == len(subjects):

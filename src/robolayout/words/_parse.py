@@ -15,7 +15,7 @@ from robolayout.words._chunk import NOTHING, Chunk
 from robolayout.words._leftover import leftover
 from robolayout.words._lexicon import grammar
 from robolayout.words._relations import AIDS, Relating
-from robolayout.words._said import Link, Mention, Parsed, Place, mentions, place_in, place_of, sides
+from robolayout.words._said import Link, Mention, Parsed, Place, Thing, mentions, place_in, place_of, sides
 from robolayout.words._tokens import count_of
 from robolayout.words._ways import SEATS, TOPS
 
@@ -58,12 +58,11 @@ class Parser(Relating):
     def _on_comma(self, chunk: Chunk) -> None:
         self._on_and(chunk)
         self.listed = True
-        self.having = self.having and self._previous(chunk) != "each"
 
     def _on_and(self, chunk: Chunk) -> None:
         self.refusing = self.refusing and chunk.value in ("or", "nor")
         self.verb = self.relative = False
-        self.having = self.having and not self.acted
+        self.having = self.having and not self.acted and self._previous(chunk) != "each"
 
     def _on_verb(self, chunk: Chunk) -> None:
         self.verb = True
@@ -182,8 +181,15 @@ class Parser(Relating):
             det = "each" if chunk.value.startswith(("each", "every")) else "all"
             self.holder = [Mention(m.thing, None, det) for m in self.group]
             self._each_has(self.holder, sum(m.thing.count for m in self.group))
-        elif chunk.value == "each" and self.group and self.holder and self.group[-1].thing is not self.holder[0].thing:
-            self.group[-1].thing.times = self.holder[0].thing.count
+        elif chunk.value == "each" and self.group:
+            self._one_each(self.group[-1].thing)
+
+    def _one_each(self, thing: Thing) -> None:
+        """What each of the things before has, or each of those for whom the room is: "two tables with four chairs each"."""
+        if not self.holder:
+            thing.everyones = True
+        elif thing is not self.holder[0].thing:
+            thing.times = self.holder[0].thing.count
 
     def _on_thing(self, chunk: Chunk) -> None:
         chunk = self._none_of(chunk)

@@ -147,7 +147,8 @@ class AtPlaces:
         self, subjects: Sequence[str], place: Place, *, on: bool = False, share: bool = False, under: bool = False
     ) -> Iterator[Demand]:
         """Yield that things stand at a place of the room; where several share it, each somewhat farther from its middle."""
-        together = "same" in place.words or (place.plural and "opposite" in place.words)
+        opposite = "opposite" in place.words or (place.det == "both" and not place.words)  # "benches along both walls"
+        together = "same" in place.words or (place.plural and opposite)
         corners = corners_meant(self.room, place) if place.name == "corner" else []
         if place.name == "wall" and together and len(subjects) > 1 and "middle" not in place.words:
             half = (len(subjects) + 1) // 2  # at one wall, or one half at each of two
@@ -172,6 +173,11 @@ class AtPlaces:
             pairs = zip(subjects, to, strict=True)  # "shelves on the left and right walls"
             found = [tuple(self._ways_at(a, at, on=on, share=share and not each, under=under)) for a, at in pairs]
             found = [ways[i : i + 1] for i, ways in enumerate(found)] if each else found
+            dealt = {"each", "both", *(["all"] if all(self._asset(a).on_wall for a in subjects) else [])}
+            told = walls_meant(self.room, place) if place.name == "wall" and place.det in dealt else []
+            for i, wall in enumerate(told if len(told) <= len(subjects) else []):  # "shelves on both long walls"
+                a = subjects[i * len(subjects) // len(told)]
+                found[subjects.index(a)] = ((stated(self._held(a, on), AssetRef(a), WallRef(wall.index)),),)
             yield from (Demand(ways) for ways in found if ways)
 
     def _ways_at(self, a: str, place: Place, *, on: bool, share: bool, under: bool = False) -> Iterator[Way]:

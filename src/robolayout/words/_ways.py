@@ -18,8 +18,9 @@ that face each other."""
 AISLE = 2.0
 """Metres between two rows between which something stands and can be got to."""
 
-AHEAD, BACK, BACK_WALL = 1.5, 1.2, 2.0
-"""Metres from edge to edge that "in front of" and "behind" allow, and behind what stands free to what hangs on the wall."""
+AHEAD, WATCHING, BACK, BACK_WALL = 1.5, 2.5, 1.2, 2.0
+"""Metres from edge to edge that "in front of" allows, of what seats look at, too, "behind", and behind what stands free to what hangs
+on the wall."""
 
 ACROSS = 12.0
 """Metres that may lie between two things that are opposite to each other."""
@@ -41,6 +42,9 @@ DAYLIGHT = 1.8
 
 LEAST_FAR, LEAST_MIDDLE = 1.5, 0.5
 """Metres: the same in small rooms."""
+
+CROWD = 5
+"""Things of a kind that stand by themselves, whatever is named beside them, and look one way."""
 
 SEATS = ("chair", "stool", "armchair", "sofa", "bench", "recliner", "seat")
 """Last words of what one sits on."""
@@ -64,6 +68,15 @@ AT_A_DESK: Ways = ((("in_front_of", -BESIDE, BESIDE),), (("behind", -BESIDE, BES
 
 ACROSS_A_DESK: Ways = ((("behind", 0.0, BESIDE), ("align_with", 0.0)), (("behind", 0.0, AHEAD),))
 """Where a seat and another thing stand that are in front of a desk behind which somebody sits."""
+
+WATCHED = ("fireplace", "television", "screen")
+"""Last words of what one looks at who sits before it."""
+
+BEFORE_WATCHED: Ways = (
+    (("in_front_of", 0.0, WATCHING), ("point_towards",)),
+    (("near", WATCHING), ("align_with", 180.0)),
+)
+"""Where seats stand that are in front of what is looked at: before it, or beside one that is, turned alike."""
 
 TO_ANOTHER: Mapping[str, Ways] = {
     "next": ((("near", BESIDE),),),

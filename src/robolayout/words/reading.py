@@ -175,6 +175,8 @@ def read_text(text: str, lexicon: Lexicon) -> Reading:
     for thing in parsed.things:
         if seats and thing.plural and thing.number is None and thing.head in ONE_EACH:
             thing.number = max(seats // thing.times, 1)  # "for ten people, with chairs"
+        if thing.everyones:
+            thing.times = max(number, 1)
         bounded(thing.count, thing.noun.words)
     return Reading(
         text=read,

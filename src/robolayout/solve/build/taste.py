@@ -53,12 +53,12 @@ def looks(site: Site) -> float:
 
 
 def _along_walls(site: Site, batch: Batch, weights: Mapping[str, float]) -> Cost:
-    """Return the cost of where on its wall a thing stands and what it hides there."""
+    """Return the cost of where on its wall a thing stands and what it hides there, and what goes by it has behind it."""
     _, width, _ = site.size(batch.cluster.anchor)
-    boxes = [(box_of(m, site.size(m.name)), site.size(m.name)[2]) for m in batch.cluster.members if not m.bottom]
-    beside = [
-        (y0, y1, height) for (x0, y0, _, y1), height in boxes if x0 <= boxes[0][0][0] + AT_WALL and y1 - y0 > NARROW
-    ]
+    low_ones = [m for m in batch.cluster.members if not m.bottom]
+    boxes = [(box_of(m, site.size(m.name)), m.name) for m in low_ones]
+    beside = [(y0, y1, name) for (x0, y0, _, y1), name in boxes if x0 <= boxes[0][0][0] + AT_WALL and y1 - y0 > NARROW]
+    shades = {m.name: max(0.0, -site.wants[m.name].weights.get("at_window", 0.0)) for m in low_ones[1:]}
     crown = max(member.bottom + site.size(member.name)[2] for member in batch.cluster.members)
     wished = site.wants[batch.cluster.anchor].walls
     elsewhere = max(wished.values(), default=0.0)
@@ -78,10 +78,11 @@ def _along_walls(site: Site, batch: Batch, weights: Mapping[str, float]) -> Cost
             cover = np.clip(np.minimum(along + half, end) - np.maximum(along - half, start), 0.0, None)
             if kind == "window":
                 lit = np.maximum(lit, cover / width)
-                for right, left, height in beside:  # a wall goes to the right of what has its back to it
-                    before = np.minimum(along - right, end) - np.maximum(along - left, start)
-                    tall = min(1.0, max(0.0, height - low) / (0.6 * max(high - low, 0.1)))
-                    hidden += tall * np.maximum(before, 0.0) / (end - start)
+                for right, left, name in beside:  # a wall goes to the right of what has its back to it
+                    before = np.maximum(np.minimum(along - right, end) - np.maximum(along - left, start), 0.0)
+                    tall = min(1.0, max(0.0, site.size(name)[2] - low) / (0.6 * max(high - low, 0.1)))
+                    hidden += tall * before / (end - start)
+                    part += shades.get(name, 0.0) * np.minimum(before / (left - right) * 1.5, 1.0)
             elif kind != "door" and 0.1 < low < crown:
                 hidden += cover / (end - start)
         window = weights.get("at_window", 0.0)
