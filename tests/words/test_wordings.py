@@ -80,6 +80,8 @@ def test_counts(text: str, counts: dict[str, int]) -> None:
         ("a class with twenty desks and a teacher's desk in front of a whiteboard", {("front", "teacher desk", "whiteboard")}),
         ("two desks and a table in front of a whiteboard", {("front", "desk", "whiteboard"), ("front", "table", "whiteboard")}),
         ("a cafe with two tables with four chairs each and a bar along the wall", {("with", "chair", "table"), ("wall", "bar", "wall")}),
+        ("a table and four chairs by the window", {("by", "table", "window")}),
+        ("a desk and chair in the left corner", {("in", "desk", "corner")}),
         ("a wall of bookshelves", {("wall", "bookshelf", "wall")}),
         ("a wall-mounted TV", {("on", "wallmounted tv", "wall")}),
         ("On the left a desk, on the right a bed.", {("in", "desk", "side"), ("in", "bed", "side")}),
@@ -174,9 +176,18 @@ def walls_of(text: str) -> list[set[int]]:
 
 
 def test_both_walls_and_each_wall_have_some() -> None:
-    assert walls_of("a storage room of 6 x 4 m with shelves on both long walls") == [{0}, {2}]
-    assert walls_of("a gallery with a painting on each wall") == [{0}, {1}, {2}, {3}]
-    assert walls_of("a hall with benches along both walls") == [{0, 2}, {1, 3}, {2, 0}, {3, 1}]
+    assert walls_of("a storage room of 6 x 4 m with shelves on both long walls") == [{0, 2}]
+    assert walls_of("a gallery with a painting on each wall") == [{0, 1, 2, 3}]
+    assert walls_of("a pantry with six shelves on three walls") == [
+        {0, 1, 2},
+        {0, 1, 3},
+        {0, 2, 3},
+        {1, 2, 3},
+        set(),
+        set(),
+        set(),
+    ]
+    assert walls_of("a hall with benches along both walls") == [{0, 2}, {1, 3}, {0, 2}, {1, 3}]
 
 
 def test_rows_name_things_as_they_were_said() -> None:

@@ -149,6 +149,8 @@ class Added:
         there = {self.wishes.head(other) for other in self.wished.keys() - others if not visits(other)}
         there |= self.wishes.general - {self.wishes.head(other) for other in others}
         there |= {"chair"} if head(name) == "table" and SEATS & {*self.wished} else set()
+        if self.room.tables and head(name) == "desk" and "chair" not in map(head, self.wishes.things):
+            there.discard("chair")  # those that are there are of the tables
         for other, each in self._companions(name).items():
             if other not in self.spared and head(other) not in there:
                 self.found[other] = self.found.get(other, 0) + count * self._at_open_sides(other, each)

@@ -9,6 +9,7 @@ from robolayout.constraints import AssetRef, Relation
 from robolayout.constraints.against_wall import AgainstWall
 from robolayout.constraints.any_of import AnyOf
 from robolayout.constraints.in_front_of import InFrontOf
+from robolayout.constraints.in_rows import InRows
 from robolayout.constraints.near import Near
 from robolayout.constraints.next_to import NextTo
 from robolayout.planners._knowledge import ON_ANY, Join, usual_say
@@ -120,9 +121,13 @@ def subjects(demands: Iterable[Demand]) -> set[str]:
 
 
 def hung_over(scene: Scene, demands: Iterable[Demand]) -> dict[str, str]:
-    """Return what stands on the floor below what is asked to hang above it on a wall, with the first of that."""
+    """Return what stands on the floor below what is asked to hang above it, or above what it bears, on a wall, with the first of that."""
     found = dict[str, str]()
-    for high, low in (one.asset_names() for one in said(demands) if one.name == "above"):
+    bearers = {
+        thing: bearer for thing, bearer in (one.asset_names() for one in said(demands) if one.name == "on_top_of")
+    }
+    for high, over in (one.asset_names() for one in said(demands) if one.name == "above"):
+        low = bearers.get(over, over)
         if scene.by_name[high].on_wall and scene.by_name[low].on_floor:
             found.setdefault(low, high)
     return found
@@ -139,11 +144,14 @@ def held_by_walls(demands: Sequence[Demand]) -> set[str]:
 
 
 def needing_room(cast: Mapping[str, Cast], demands: Sequence[Demand]) -> set[str]:
-    """Return what is asked to be in one corner and no other, or has two at its sides that are asked there: it is placed first."""
+    """Return what is placed first: what is asked to be in one corner and no other, in one row, or with two others at its sides."""
     only = said(demand for demand in demands if len(demand.ways) == 1)
     between = [demand.exact.asset_names() for demand in demands if demand.exact is not None]
-    rows = {middle for middle, *ends in between if {cast[end].anchor for end in ends} == {middle}}
-    return rows | {relation.asset_names()[0] for relation in only if relation.name == "corner"}
+    found = {middle for middle, *ends in between if {cast[end].anchor for end in ends} == {middle}}
+    for one in only:
+        row = isinstance(one, InRows) and one.rows == 1
+        found |= {*one.asset_names()} if row else {*one.asset_names()[: one.name == "corner"]}
+    return found
 
 
 def _beside(gap: float, say: tuple[str, ...]) -> Join:

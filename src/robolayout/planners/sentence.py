@@ -43,6 +43,7 @@ class Sizes:
     """Metres between rows of desks, between other rows, beside and behind a block of rows, and before it."""
     walkway: float = 0.6
     """Metres by which a room is longer and wider than the longest thing in it, where no size is given."""
+    low: float = 1.2  # metres of height up to which a row of things hides no window
 
 
 SIZES = Sizes()
@@ -215,9 +216,17 @@ def _room_size(wishes: Wishes, wished: Mapping[str, int], stretch: float) -> tup
 
 
 def _blocks(wishes: Wishes) -> Iterator[tuple[float, float]]:
-    """Yield how wide and how deep blocks of rows that are told are in metres, with what stands before them and ways around."""
+    """Yield how wide and how deep rows and blocks that are told are in metres, with what stands before them and ways around."""
     links = wishes.reading.parsed.links
     for link in links:
+        line = [mention for mention in link.subjects if mention.thing.category.on_floor]
+        if link.relation in ("row", "abreast") and line:
+            sizes = [(one.count, *wishes.kinds[wishes.kind(one.thing)].size) for one in line]
+            wide = sum(count * width for count, _, width, _ in sizes) + SIZES.around
+            yield (
+                wide,
+                wide * (max(height for *_, height in sizes) > SIZES.low),
+            )  # a wall without a window for tall things
         things = [mention.thing for mention in link.subjects] if link.relation == "rows" and link.rows > 1 else []
         for thing in things[:1]:
             kind = wishes.kind(thing)

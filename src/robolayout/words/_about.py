@@ -233,7 +233,9 @@ class About(References):
         last = self.group[-1:] or list(self.subject or ([self.target] if self.target is not None else []))
         does = {*self._ahead(-1).adjectives} & small.PLURAL_DOES and not self.relative  # "a sofa and a chair face it"
         if len(self.group) > 1 and (does or self._shared(relation)):
-            return list(self.group)
+            top, seat = (mention.thing.head for mention in self.group[-2:])
+            own = top in TOPS and seat in ("chair", "stool") and self._ahead().kind == "part"
+            return self.group[: len(self.group) - own]  # "a table and four chairs by the window"
         on_tops = self.target is not None and self.target.thing.category.on_object
         if self.target is not None and relation == "on" and following != "wall" and last:
             told = on_tops and not last[0].thing.category.on_object  # "a sofa facing a TV on a stand"

@@ -56,6 +56,7 @@ class Demander(AtPlaces):
         asked = [(link, self._asked(link)) for link in links]
         in_corners = (it.subjects for _, it in asked if it.place is not None and it.place.name == "corner")
         self.cornered = frozenset(name for subjects in in_corners for name in subjects)
+        self.askew = {name for link, it in asked if link.relation == "diagonal" for name in it.subjects}
         twos = [(link.relation, *two) for link, it in asked for two in it.twos]
         sat_on = {a for _, a, _ in twos if self._is(a, ways_of.SEATS)}
         seats = Counter(b for how, a, b in twos if how in ("with", "around") and a in sat_on)
@@ -128,9 +129,10 @@ class Demander(AtPlaces):
         return (replace(it, subjects=self._of_rows(it) or it.subjects) if relation in ways_of.ENDS else it).twos
 
     def _of_rows(self, it: Asked) -> list[str]:
-        """Return the middle one of straight rows that all look at one thing, or stand before it."""
+        """Return the middle one of straight rows that all look at one thing, or stand before it, or the first of several abreast."""
         rows = len(it.subjects) > 2 and self.told.in_rows(it.subjects) and len(it.others) < 2
-        return [it.subjects[self.told.abreast[it.subjects[0]] // 2]] if rows else []
+        first = {self.told.first.get(a, "") for a in it.subjects} if len(it.subjects) > 1 > len(it.others) else {""}
+        return [it.subjects[self.told.abreast[it.subjects[0]] // 2]] if rows else [*first] if first != {""} else []
 
     def _by_twos(self, it: Asked, relation: str) -> Iterator[Demand]:
         """Yield what the second of every two is asked to be to the first; or how two rows of them are turned."""
@@ -247,7 +249,8 @@ class Demander(AtPlaces):
         if relation == "end" and self._only_wall(a):
             depth, width, _ = self._asset(b).size
             return ways_of.END_WALLS[width >= depth]  # "a screen on the wall at one end of the table"
-        if relation == "front" and self._is(a, ways_of.SEATS) and self._is(b, ways_of.WATCHED):
+        watching = self._is(a, ways_of.SEATS) and self._is(b, ways_of.WATCHED) and a not in self.askew
+        if relation == "front" and watching:
             return ways_of.BEFORE_WATCHED
         if relation != "front" or b not in self.manned:
             return ways_of.TO_ANOTHER[relation]
@@ -336,13 +339,17 @@ class Demander(AtPlaces):
 
     def _chained(self, it: Asked, relation: str) -> Iterator[Demand]:
         """Each to the one before it; mats side by side are a row, which nothing else keeps from lying on each other."""
-        if relation == "abreast" and alike(self.scene, it.subjects) and self._asset(it.subjects[0]).is_flat:
+        same = alike(self.scene, it.subjects) and self._asset(it.subjects[0]).on_floor
+        if relation == "abreast" and same and self._asset(it.subjects[0]).is_flat:
             yield in_rows(it.subjects, 1)
             return
         if relation == "stacked" and all(map(self._only_wall, it.subjects)):
             relation = "tiered"  # pictures on top of each other
-        apart = relation == "abreast" and self.told.flanked & {*it.subjects}
-        ways = ways_of.IN_A_CHAIN["abreast apart" if apart else relation]
+        elif relation == "abreast" and self.told.flanked & {*it.subjects}:
+            relation = "abreast apart"
+        elif relation == "abreast" and not same:
+            relation = "together"
+        ways = ways_of.IN_A_CHAIN[relation]
         yield from (by_ways(ways, b, a) for a, b in pairwise(it.subjects))
 
     def _rows(self, it: Asked) -> Iterator[Demand]:

@@ -173,11 +173,15 @@ class AtPlaces:
             pairs = zip(subjects, to, strict=True)  # "shelves on the left and right walls"
             found = [tuple(self._ways_at(a, at, on=on, share=share and not each, under=under)) for a, at in pairs]
             found = [ways[i : i + 1] for i, ways in enumerate(found)] if each else found
-            dealt = {"each", "both", *(["all"] if all(self._asset(a).on_wall for a in subjects) else [])}
-            told = walls_meant(self.room, place) if place.name == "wall" and place.det in dealt else []
-            for i, wall in enumerate(told if len(told) <= len(subjects) else []):  # "shelves on both long walls"
-                a = subjects[i * len(subjects) // len(told)]
-                found[subjects.index(a)] = ((stated(self._held(a, on), AssetRef(a), WallRef(wall.index)),),)
+            hung = all(self._asset(a).on_wall for a in subjects)
+            told = walls_meant(self.room, place) if place.name == "wall" else []
+            few = len(told) if place.det in ("each", "both") or (hung and place.det == "all") else place.number or 0
+            if 1 < few <= min(len(subjects), len(told)):  # "shelves on both long walls": each of them has some
+                some = subjects[:: len(subjects) // few][:few]
+                sets = [zip(some, walls, strict=True) for walls in combinations(told, few)]
+                at = ((stated(self._held(a, on), AssetRef(a), WallRef(wall.index)) for a, wall in one) for one in sets)
+                yield Demand(tuple(map(tuple, at)))
+                found = [ways for a, ways in zip(subjects, found, strict=True) if a not in some]
             yield from (Demand(ways) for ways in found if ways)
 
     def _ways_at(self, a: str, place: Place, *, on: bool, share: bool, under: bool = False) -> Iterator[Way]:

@@ -115,7 +115,8 @@ AT_SIDES = frozenset(("flank", "left", "right", "next", "oneside"))
 """Relations that put a thing at a side of another one."""
 
 IN_A_CHAIN: Mapping[str, Ways] = {
-    "abreast": ((("near", AT_TABLE),),),
+    "together": ((("near", AT_TABLE),),),
+    "abreast": ((("next_to", "beside", AT_TABLE), ("align_with",)),),  # alike things on the floor, others are together
     "abreast apart": ((("near", NEAR),),),  # something stands between them
     "parallel": _PARALLEL,
     "crossed": _BY_RIGHT_ANGLE,

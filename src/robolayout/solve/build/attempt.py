@@ -10,13 +10,13 @@ from functools import partial
 import numpy as np
 
 from robolayout.solve.build.cluster import Cluster
-from robolayout.solve.build.grid import grid_batches, last_cell, put_grid
+from robolayout.solve.build.grid import grid_batches, in_one_row, last_cell, put_grid
 from robolayout.solve.build.member import GridPlan, Member
-from robolayout.solve.build.overhead import hang, overhead
+from robolayout.solve.build.overhead import hang, lay_on, overhead
 from robolayout.solve.build.places import Batch, batches
 from robolayout.solve.build.rugs import lay_rugs
 from robolayout.solve.build.said import MISSED
-from robolayout.solve.build.site import Site, Spot
+from robolayout.solve.build.site import Site
 from robolayout.solve.build.sorts import alike, given_up, uncommon
 from robolayout.solve.build.taste import keep_sight, looks, taste
 from robolayout.solve.build.wants import Want
@@ -49,7 +49,9 @@ class Costs:
     tight: float = 1.2
     ragged: float = 1.0
     """Cost of a grid whose neighbours touch, and of each place that its last row leaves empty."""
-    much: float = 10.0  # cost of a place above which a cluster rather comes apart
+    much: float = 10.0
+    bearable: float = 16.0
+    """Cost of a place above which a cluster rather comes apart: if that is no worse, and whatever it is like."""
     stray: float = 2.0
     """Cost of each thing that is left over from its grid; rows are worth more than each thing's own best place."""
     shuffle: float = 0.35  # standard deviation of the turns of kinds from one attempt to the next, in places
@@ -248,7 +250,10 @@ class Attempt:
         left, least = list(clusters), 2
         if self.site.wants[clusters[0].anchor].in_told_rows:
             out = uncommon(self.site, clusters)
-            if self._place_grid([self._without_own(cluster, out) for cluster in clusters], weights, 0):
+            own = [self._without_own(cluster, out) for cluster in clusters]
+            row = in_one_row(self.site, own)
+            lined = row is not None and "wall" in modes and self._place(row, {"wall": 0.0}, weights, COSTS.much)
+            if lined or self._place_grid(own, weights, 0):
                 self._place_alone(out)
                 return []
         elif next(iter(modes)) == "wall":
@@ -273,7 +278,12 @@ class Attempt:
         if limit is not None and cost > limit:
             self.lost = before
             return False
-        if cost > COSTS.much and limit is None and len(cluster.members) > 1 and self._split(cluster, modes, weights):
+        if (
+            cost > COSTS.much
+            and limit is None
+            and len(cluster.members) > 1
+            and self._better_split(cluster, modes, weights, cost)
+        ):
             return True
         if cost > COSTS.much and limit is None and "middle" not in modes:
             self.lost = before
@@ -323,6 +333,17 @@ class Attempt:
         chosen = best or ranked[0]
         self.lost = left.get(chosen[0], self.lost)
         return chosen
+
+    def _better_split(self, cluster: Cluster, modes: Modes, weights: Mapping[str, float], cost: float) -> bool:
+        """Split a cluster that has no place, or none at so much that is better than where its parts come to stand."""
+        site, done, lost = self.site.copy(), len(self.steps), self.lost
+        if not self._split(cluster, modes, weights):
+            return False
+        if cost > COSTS.bearable or sum(step.cost for step in self.steps[done:]) <= cost:
+            return True
+        self.site, self.lost = site, lost
+        del self.steps[done:]
+        return False
 
     def _split(self, cluster: Cluster, modes: Modes, weights: Mapping[str, float]) -> bool:
         """Place a cluster that fits nowhere as a whole: some floor things that can stand alone are placed on their own."""
@@ -416,17 +437,3 @@ class Attempt:
 def _harm(site: Site) -> float:
     """Return the cost of what the agents do not get to or cannot use, and of the floor that is cut off."""
     return COSTS.unreached * len(site.unreached()) + COSTS.cut_off * site.cut_off
-
-
-def lay_on(site: Site, name: str) -> list[str]:
-    """Put what belongs on a thing that stands or hangs already onto it, and return the names."""
-    if name not in site.spots:
-        return []
-    on, laid = site.spots[name].member, list[str]()
-    for member in site.clusters.build(name).members:
-        if member.name not in site.spots and member.bottom > 0.0 and site.wants[member.name].anchor in site.spots:
-            world = member.moved(on.x, on.y, on.yaw)
-            world = replace(world, bottom=world.bottom + on.bottom)
-            site.settle(member.name, Spot(world, "join", None, site.wants[member.name].anchor))
-            laid.append(member.name)
-    return laid

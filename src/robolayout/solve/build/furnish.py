@@ -10,9 +10,10 @@ import numpy as np
 
 from robolayout.program import Program
 from robolayout.scene import Layout, Pose, Scene
-from robolayout.solve.build.attempt import Attempt, lay_on
+from robolayout.solve.build.attempt import Attempt
 from robolayout.solve.build.cluster import Cluster
 from robolayout.solve.build.member import Member
+from robolayout.solve.build.overhead import lay_on
 from robolayout.solve.build.site import Site
 from robolayout.solve.build.wants import wants_of
 

@@ -49,6 +49,18 @@ def grid_batches(site: Site, clusters: Sequence[Cluster]) -> Iterator[tuple[Grid
                 yield plan, Batch("grid", cluster, poses, np.full(len(poses), -1))
 
 
+def in_one_row(site: Site, clusters: Sequence[Cluster]) -> Cluster | None:
+    """Return the clusters of a row that is told as one, None where more rows are told."""
+    rows = site.wants[clusters[0].anchor].rows
+    if rows is None or rows.rows != 1:
+        return None
+    extent, size = _extent(site, clusters[0]), site.size(clusters[0].anchor)
+    gap = round(extent[3] - extent[1] - size[1] + rows.gap, 2)
+    return _cluster(
+        clusters, GridPlan(tuple(one.anchor for one in clusters), 1, len(clusters), 0.0, gap, rows.backs, False), size
+    )
+
+
 def _extent(site: Site, cluster: Cluster) -> Rect:
     boxes = [box_of(m, site.size(m.name)) for m in cluster.members if site.on_floor(m)]
     x0, y0, x1, y1 = zip(*boxes, strict=True)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 import shapely
@@ -307,3 +307,17 @@ def _is_free_above(site: Site, name: str, point: tuple[float, float]) -> bool:
     others = [site.foot(n) for n, s in site.spots.items() if s.mode == "ceiling"]
     inside = shapely.Polygon(site.room.vertices).covers(outline)
     return inside and not any(outline.intersects(other) for other in others)
+
+
+def lay_on(site: Site, name: str) -> list[str]:
+    """Put what belongs on a thing that stands or hangs already onto it, and return the names."""
+    if name not in site.spots:
+        return []
+    on, laid = site.spots[name].member, list[str]()
+    for member in site.clusters.build(name).members:
+        if member.name not in site.spots and member.bottom > 0.0 and site.wants[member.name].anchor in site.spots:
+            world = member.moved(on.x, on.y, on.yaw)
+            world = replace(world, bottom=world.bottom + on.bottom)
+            site.settle(member.name, Spot(world, "join", None, site.wants[member.name].anchor))
+            laid.append(member.name)
+    return laid

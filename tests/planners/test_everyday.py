@@ -1,0 +1,132 @@
+"""Rooms of everyday sentences, as somebody looks at them: everything is met, nothing stands askew, and what belongs together is in line.
+
+The checks look at poses and sizes alone.
+"""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+import robolayout as rl
+from robolayout.run.result import Result
+
+SENTENCES = (
+    "a living room with two sofas facing each other and a fireplace",
+    "a living room with a TV stand between two bookshelves",
+    "a living room with two armchairs in front of the TV",
+    "a living room with an L-shaped sofa, two poufs and a floor lamp behind the sofa",
+    "a bedroom with a bed between two wardrobes",
+    "a bedroom with a dressing table, a stool in front of it and a mirror above it",
+    "a bedroom with a night stand between two single beds",
+    "a bedroom with a desk and chair in the left corner and a bed in the right corner",
+    "a hotel room with two queen beds, a desk, a TV and a luggage rack",
+    "a guest room with a single bed and a small desk",
+    "a nursery with a crib, a changing table, a rocking chair and a toy chest",
+    "a bathroom with a bathtub, a toilet, a sink and a mirror above the sink",
+    "a bathroom with a sink between two cabinets",
+    "a dining table with eight chairs, and a chandelier above it",
+    "a cafe with five round tables, each with two chairs, and a counter",
+    "a study with two desks side by side facing the wall",
+    "an office with a desk between two filing cabinets",
+    "a gym with three treadmills side by side facing the window",
+    "a classroom with twelve desks facing the whiteboard",
+    "a science lab with three lab benches and six stools",
+    "a church with ten pews facing an altar",
+    "a hallway with a shoe rack, a coat rack and a bench",
+    "a dressing room with a vanity, a stool and three wardrobes in a row",
+    "a shop with four clothing racks, a checkout counter near the door and a mirror",
+    "a reception with a bench, a coffee machine and a plant in each corner",
+)
+
+
+@pytest.mark.parametrize("text", SENTENCES)
+def test_everything_is_met_and_nothing_stands_askew(text: str) -> None:
+    result = rl.generate(text)
+    assert result.report.ok, result.report.violations
+    assert [row["words"] for row in result.report.to_dict()["asked"] if row["verdict"] != "met"] == []
+    askew = [name for name in result.layout if abs(math.sin(2 * result.layout[name].yaw)) > 0.02]
+    assert askew == []
+
+
+def of(result: Result, kind: str) -> list[str]:
+    return [name for name in result.layout if name.rsplit("-", 1)[0] == kind]
+
+
+def ahead(result: Result, name: str) -> tuple[float, float]:
+    yaw = result.layout[name].yaw
+    return math.cos(yaw), math.sin(yaw)
+
+
+def along(result: Result, name: str, one: str) -> float:
+    """Return how far a thing is in front of another one, centre to centre."""
+    here, there, (x, y) = result.layout[one], result.layout[name], ahead(result, one)
+    return (there.x - here.x) * x + (there.y - here.y) * y
+
+
+@pytest.mark.parametrize(
+    ("text", "outer", "middle"),
+    [
+        ("a living room with a TV stand between two bookshelves", "bookshelf", "tv_stand"),
+        ("a bathroom with a sink between two cabinets", "cabinet", "washbasin"),
+        ("a hall with a console table between two chairs", "chair", "console_table"),
+    ],
+)
+def test_what_is_between_two_of_a_kind_has_its_back_to_their_wall(text: str, outer: str, middle: str) -> None:
+    result = rl.generate(text)
+    (centre,), ends = of(result, middle), of(result, outer)
+    depth = result.scene.by_name[centre].size[0]
+    for end in ends:
+        assert math.cos(result.layout[end].yaw - result.layout[centre].yaw) > 0.99
+        backs = along(result, end, centre) - (result.scene.by_name[end].size[0] - depth) / 2
+        assert abs(backs) < 0.1, end
+
+
+@pytest.mark.parametrize(
+    ("text", "kind", "rows"),
+    [
+        ("a cinema with twenty seats facing the screen", "theater_seat", 4),
+        ("a classroom with twelve desks facing the whiteboard", "student_desk", 3),
+        ("a church with ten pews facing an altar", "pew", 5),
+    ],
+)
+def test_a_crowd_looks_one_way_in_straight_rows(text: str, kind: str, rows: int) -> None:
+    result = rl.generate(text)
+    crowd = of(result, kind)
+    assert {round(ahead(result, name)[0], 1) for name in crowd} == {round(ahead(result, crowd[0])[0], 1)}
+    assert len({round(along(result, name, crowd[0]), 1) for name in crowd}) == rows
+
+
+def test_seats_before_a_fireplace_look_at_it() -> None:
+    result = rl.generate("a living room with a fireplace and two armchairs in front of the fireplace")
+    (fire,) = of(result, "fireplace")
+    assert of(result, "television") == []
+    for chair in of(result, "armchair")[:2]:
+        x, y = result.layout[fire].x - result.layout[chair].x, result.layout[fire].y - result.layout[chair].y
+        seen = (x * ahead(result, chair)[0] + y * ahead(result, chair)[1]) / math.hypot(x, y)
+        assert seen > math.cos(math.radians(50)), chair
+
+
+def test_shelves_on_both_long_walls_are_on_both() -> None:
+    result = rl.generate("a storage room of 6 x 4 m with shelves on both long walls")
+    assert sorted(round(result.layout[name].y) for name in of(result, "shelving_unit")) == [0, 4]
+
+
+def test_a_bed_in_a_corner_has_one_night_stand_and_tables_in_pairs_no_rug() -> None:
+    assert len(of(rl.generate("a bedroom with the bed in the corner"), "night_stand")) == 1
+    assert of(rl.generate("a library with two reading tables with four chairs each"), "rug") == []
+
+
+def test_cushions_lie_around_a_low_table() -> None:
+    result = rl.generate("a tatami room with a low table and four floor cushions")
+    table = result.layout["low_table-0"]
+    away = [math.hypot(result.layout[n].x - table.x, result.layout[n].y - table.y) for n in of(result, "floor_cushion")]
+    assert len(away) == 4
+    assert max(away) < 1.0
+
+
+def test_every_desk_of_an_internet_cafe_and_every_table_has_chairs() -> None:
+    result = rl.generate("an internet cafe with ten computer desks in two rows back to back")
+    assert len(of(result, "office_chair")) == 10
+    assert len(of(result, "chair")) >= 2 * len(of(result, "round_table"))
