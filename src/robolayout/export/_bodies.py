@@ -13,6 +13,7 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
+from scipy.spatial.transform import Rotation
 
 from robolayout.assets import Joint, Material, Part, category_of, prisms_of, room_parts, turned
 from robolayout.assets.mass import part_masses
@@ -27,7 +28,7 @@ from robolayout.export._exporter import (
     placed,
     seen_from,
 )
-from robolayout.export._mesh import Box, FloatArray, as_box, numbers, obj, roll_pitch_yaw, volume
+from robolayout.export._mesh import Box, FloatArray, as_box, numbers, obj, volume
 from robolayout.export._rugs import laid_parts
 from robolayout.scene import Asset, Layout, Pose, Scene, vertical_span
 
@@ -90,7 +91,7 @@ class Shape:
             return "0 0 0", "0 0 0", ""
         return (
             numbers(self.box.center.tolist()),
-            numbers(roll_pitch_yaw(self.box.rotation)),
+            numbers(Rotation.from_matrix(self.box.rotation).as_euler("xyz")),
             numbers((2 * self.box.half).tolist()),
         )
 

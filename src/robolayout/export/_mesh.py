@@ -8,6 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.spatial.transform import Rotation
 
 from robolayout import _color
 from robolayout.assets import Material, Part
@@ -156,14 +157,7 @@ def _upright(box: Box) -> Box:
 
 def quaternion(rotation: FloatArray) -> tuple[float, float, float, float]:
     """Return (w, x, y, z) of a rotation matrix, with w >= 0."""
-    trace, odd = float(np.trace(rotation)), rotation - rotation.T
-    squares = np.diag(
-        [1 + trace, *[1 - trace] * 3]
-    )  # 4 q q^T; its row with the largest entry is exact at half turns too
-    squares[1:, 1:] += rotation + rotation.T
-    squares[0, 1:] = squares[1:, 0] = odd[2, 1], odd[0, 2], odd[1, 0]
-    row = squares[squares.diagonal().argmax()]
-    w, x, y, z = (row * math.copysign(1.0, row[0]) / np.linalg.norm(row) + 0.0).tolist()
+    x, y, z, w = (Rotation.from_matrix(rotation).as_quat(canonical=True) + 0.0).tolist()
     return (w, x, y, z)
 
 
@@ -191,15 +185,6 @@ def volume(part: Part) -> float:
 def numbers(values: Iterable[float]) -> str:
     """Return numbers with nine digits, separated by blanks."""
     return " ".join(f"{value + 0.0:.9g}" for value in values)
-
-
-def roll_pitch_yaw(rotation: FloatArray) -> tuple[float, float, float]:
-    """Return roll, pitch and yaw in radians of a rotation matrix (turned about the fixed x, then y, then z)."""
-    pitch = math.asin(min(1.0, max(-1.0, -float(rotation[2, 0]))))
-    if abs(rotation[2, 0]) > 1 - 1e-12:
-        return (0.0, pitch, math.atan2(-float(rotation[0, 1]), float(rotation[1, 1])))
-    roll = math.atan2(float(rotation[2, 1]), float(rotation[2, 2]))
-    return (roll, pitch, math.atan2(float(rotation[1, 0]), float(rotation[0, 0])))
 
 
 def obj(vertices: FloatArray, faces: NDArray[np.int32]) -> bytes:
