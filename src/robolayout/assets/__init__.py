@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from robolayout._lazy import loader
 from robolayout.assets.category import CATALOGUE, Category, read_categories
-from robolayout.assets.lexicon import category_of, find_category, unknown_kinds
+from robolayout.assets.lexicon import category_of, find_category, place_of, unknown_kinds
 
 if TYPE_CHECKING:
     from robolayout.assets.folder import import_folder
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 __all__ = [
     "CATALOGUE", "Category", "Joint", "Material", "Part", "Prism", "RoomStyle", "Surface", "Sweep", "category_of",
-    "check_meshes", "find_category", "import_folder", "load_mesh_parts", "parts", "prisms_of", "read_categories",
-    "resting_place", "room_parts", "room_style", "surfaces_of", "sweeps_of", "turned", "unknown_kinds",
+    "check_meshes", "find_category", "import_folder", "load_mesh_parts", "parts", "place_of", "prisms_of",
+    "read_categories", "resting_place", "room_parts", "room_style", "surfaces_of", "sweeps_of", "turned", "unknown_kinds",
 ]  # fmt: skip
 __getattr__ = loader(__name__, __file__)  # loads the names that need array libraries when they are first used

@@ -6,6 +6,7 @@ import math
 from dataclasses import dataclass
 from itertools import combinations
 
+from robolayout.assets import place_of
 from robolayout.constraints._refs import AssetRef
 from robolayout.constraints._relation import Outcome, PairwiseTerm, Relation, Term
 from robolayout.scene import Layout, Scene
@@ -40,7 +41,7 @@ class ReachablePairwise(Relation):
         radius = scene.agent.radius
         if radius <= 0:
             return []
-        floor = [a for a in scene.assets if a.on_floor and not (a.is_flat or a.on_wall or a.on_ceiling or a.on_object)]
+        floor = [a for a in scene.assets if place_of(a) == "floor" and not a.is_flat]
         return [
             (a.name, b.name, min(a.size[:2]) / 2 + min(b.size[:2]) / 2 + 2 * radius) for a, b in combinations(floor, 2)
         ]

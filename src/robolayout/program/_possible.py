@@ -34,16 +34,6 @@ Span = tuple[float, float]
 ROOM = ""  # stands for the frame of the room
 
 
-def hangs(asset: Asset) -> bool:
-    """Return whether an asset can only hang from the ceiling."""
-    return asset.on_ceiling and not (asset.on_floor or asset.on_object or asset.on_wall)
-
-
-def is_fixed_to_wall(asset: Asset) -> bool:
-    """Return whether an asset can only hang at a wall."""
-    return asset.on_wall and not (asset.on_floor or asset.on_object or asset.on_ceiling)
-
-
 def height_span(scene: Scene, name: str, parents: Mapping[str, str], mounted: Mapping[str, float]) -> Span:
     """Return the heights of bottom and top in metres: on floor or carriers, at the wall (its middle as `mounted`) or the ceiling."""
     asset, ceiling = scene.by_name[name], scene.room.wall_height

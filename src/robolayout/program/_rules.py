@@ -11,6 +11,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 from typing import NamedTuple
 
+from robolayout.assets import place_of
 from robolayout.constraints import TOLERANCE, AssetRef, PointRef, Relation, WallRef
 from robolayout.constraints.against_wall import AgainstWall
 from robolayout.constraints.align_with import AlignWith
@@ -154,7 +155,7 @@ def suits(so_far: Accepted, relation: Relation) -> Answer:
     moved = [assets[name] for name in subjects(relation)]
     at_wall = isinstance(relation, Row) and relation.wall is not None
     needs_standing = at_wall or isinstance(relation, AgainstWall | MountedOn | OnTopOf | Corner | Under)
-    if needs_standing and (hung := next((asset for asset in moved if possible.hangs(asset)), None)):
+    if needs_standing and (hung := next((asset for asset in moved if place_of(asset) == "ceiling"), None)):
         return f"{hung.name} hangs from the ceiling, so {relation.name} does not apply to it"
     first = moved[0] if moved else None
     if isinstance(relation, MountedOn) and first and not first.on_wall:
@@ -175,7 +176,7 @@ def _suits_rug(so_far: Accepted, relation: Under) -> Answer:
     rug = so_far.scene.by_name[relation.a.name]
     if not rug.is_flat:
         return f"{rug.name} is {rug.size[2]:.2f} m high; only something flat on the floor can lie under others"
-    above = next((i for i in relation.items if possible.hangs(so_far.scene.by_name[i.name])), None)
+    above = next((i for i in relation.items if place_of(so_far.scene.by_name[i.name]) == "ceiling"), None)
     return f"{above} hangs from the ceiling; nothing lies under it" if above else None
 
 
@@ -292,9 +293,9 @@ def stands(so_far: Accepted, relation: Relation) -> Answer:
     a, b = so_far.scene.by_name[relation.a.name], so_far.scene.by_name[relation.b.name]
     if a.name in so_far.parents:
         return f"{a.name} already stands on {so_far.parents[a.name]}"
-    if possible.is_fixed_to_wall(a):
+    if place_of(a) == "wall":
         return f"{a.name} hangs at a wall; it does not stand on things"
-    if possible.hangs(b):
+    if place_of(b) == "ceiling":
         return f"{b.name} hangs from the ceiling and carries nothing"
     chain = [b.name]
     while chain[-1] in so_far.parents:

@@ -11,6 +11,7 @@ from typing import Any
 import shapely
 
 from robolayout._errors import InputError, UnknownNameError
+from robolayout.assets import place_of
 from robolayout.planners import ModelPlanner, Planner, Understanding, scene_from_sentence
 from robolayout.program import Guess
 from robolayout.scene import (
@@ -115,7 +116,7 @@ def supported(scene: Scene, start: Layout, pinned: Mapping[str, Pose]) -> Layout
             for low, high in [vertical_span(asset, pose)]
         )
 
-    only_on_others = {a.name for a in scene.assets if a.on_object and not (a.on_floor or a.on_wall or a.on_ceiling)}
+    only_on_others = {a.name for a in scene.assets if place_of(a) == "object"}
     return Layout({n: pose for n, pose in start.items() if n not in only_on_others - pinned.keys() or below(n)})
 
 

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 from shapely import Point
 
-from robolayout.assets import Surface, resting_place, surfaces_of
+from robolayout.assets import Surface, place_of, resting_place, surfaces_of
 from robolayout.constraints import IMPLICIT, AssetRef, FrameTerm, MirrorTerm, Relation, Term, WallRef
 from robolayout.constraints.against_wall import wall_term
 from robolayout.constraints.behind import Behind
@@ -220,8 +220,7 @@ def _parents(
         if isinstance(on, OnTopOf) and _depth(on.b.name, parents) < DEEPEST:
             parents.setdefault(on.a.name, on.b.name)
     for asset in scene.assets:
-        only_on_things = asset.on_object and not (asset.on_floor or asset.on_wall or asset.on_ceiling)
-        if only_on_things and asset.name not in parents:
+        if place_of(asset) == "object" and asset.name not in parents:
             here = poses[asset.name].at
             carriers = [other for other in scene.assets if _carries(other, asset) and other.name not in parents]
             best = min(carriers, key=lambda o: (math.dist(here, poses[o.name].at), o.name), default=None)

@@ -18,6 +18,7 @@ import shapely
 from numpy.typing import NDArray
 
 from robolayout._text import TOLD
+from robolayout.assets import place_of
 from robolayout.scene import ROUNDING, Agent, Asset, Layout, Opening, Pose, Room, Scene
 from robolayout.verify._boxes import landings, prism_table, room_polygon
 from robolayout.verify._obstacles import NOTHING
@@ -150,7 +151,7 @@ def overfull(scene: Scene) -> tuple[str, ...]:
     that height at which all together fill most: no two can be there in one place.
     """
     floor = room_polygon(scene.room)
-    standing = [a for a in scene.assets if a.on_floor and not (a.is_flat or a.on_wall or a.on_ceiling or a.on_object)]
+    standing = [a for a in scene.assets if place_of(a) == "floor" and not a.is_flat]
     filled = np.array([_filled(asset) for asset in standing]).reshape(len(standing), len(HEIGHTS))
     fills = dict(zip(standing, filled[:, int(filled.sum(axis=0).argmax())].tolist(), strict=True))
     standing.sort(key=lambda asset: -fills[asset])
