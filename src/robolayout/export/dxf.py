@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 from dataclasses import dataclass
 from itertools import pairwise
 
@@ -124,8 +124,7 @@ def _room(room: Room) -> list[Group]:
     groups = _polyline("FLOOR", room.vertices, closed=True)
     outer = [_mitre(room, i) for i in range(len(room.walls))]
     for wall in room.walls:
-        openings = [opening for opening in (*room.doors, *room.windows) if opening.wall == wall.index]
-        for start, end in _solid(wall.length, openings):
+        for start, end in wall.between((*room.doors, *room.windows)):
             far = outer[(wall.index + 1) % len(outer)] if end == wall.length else wall.point(end, -DRAWING.wall)
             near = outer[wall.index] if start == 0.0 else wall.point(start, -DRAWING.wall)
             groups += _polyline("WALLS", (wall.point(start), wall.point(end), far, near), closed=True)
@@ -144,17 +143,6 @@ def _mitre(room: Room, corner: int) -> Point:
     scale = DRAWING.wall / max(1 + ax * bx + ay * by, 0.1)
     x, y = room.vertices[corner]
     return (x - (ax + bx) * scale, y - (ay + by) * scale)
-
-
-def _solid(length: float, openings: Sequence[Opening]) -> list[tuple[float, float]]:
-    """Return the stretches of a wall (metres along it) that no opening takes."""
-    stretches: list[tuple[float, float]] = []
-    done = 0.0
-    for opening in sorted(openings, key=lambda opening: opening.offset):
-        if opening.offset > done:
-            stretches.append((done, opening.offset))
-        done = max(done, opening.offset + opening.width)
-    return [*stretches, (done, length)] if done < length else stretches
 
 
 def _door(room: Room, door: Opening) -> list[Group]:

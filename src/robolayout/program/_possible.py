@@ -1,4 +1,4 @@
-"""What can be true in a room at all, whatever the layout: heights, free wall, distances, and which way statements turn things.
+"""What can be true in a room at all, whatever the layout: heights, distances, and which way statements turn things.
 
 The filter may only mend what is impossible, never fit a statement to a guess; so everything here follows from the room,
 the sizes and who stands on whom. A box of half-sides (p, q) holds the disc of radius r = min(p, q) at any heading. Two
@@ -12,7 +12,7 @@ thing shall look at another, both need a first guess: what a statement asks is c
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, NamedTuple
 
 from shapely import LineString, Point, Polygon
@@ -25,7 +25,7 @@ from robolayout.constraints.facing_pair import FacingPair
 from robolayout.constraints.mounted_on import EYE_HEIGHT, MountedOn
 from robolayout.constraints.point_towards import PointTowards
 from robolayout.constraints.row import Row
-from robolayout.scene import OPENINGS, Asset, Room, Scene, Wall
+from robolayout.scene import Asset, Scene
 
 if TYPE_CHECKING:
     from robolayout.program._rules import Accepted
@@ -58,23 +58,6 @@ def share_height(first: Span, second: Span) -> bool:
 def inner_radius(asset: Asset) -> float:
     """Return the radius in metres of the largest disc in its footprint."""
     return min(asset.size[:2]) / 2
-
-
-def free_intervals(room: Room, wall: Wall, span: Span) -> list[Span]:
-    """Return the parts of a wall, in metres from its start, where something of that height does not stand in a door."""
-    doors = sorted((d.offset, d.offset + d.width) for d in room.doors if d.wall == wall.index)
-    free: list[Span] = []
-    start = 0.0
-    for near, far in doors if span[0] < OPENINGS.landing_height else ():
-        free.append((start, near))
-        start = max(start, far)
-    free.append((start, wall.length))
-    return [(near, far) for near, far in free if far > near]
-
-
-def longest(intervals: Iterable[Span]) -> float:
-    """Return the length in metres of the longest interval."""
-    return max((far - near for near, far in intervals), default=0.0)
 
 
 def distance_range(scene: Scene, asset: Asset, other: Ref, *, collide: bool) -> Span:

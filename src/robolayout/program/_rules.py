@@ -30,7 +30,7 @@ from robolayout.constraints.symmetric_pair import SymmetricPair
 from robolayout.constraints.under import Under
 from robolayout.program import _possible as possible
 from robolayout.program._program import Program, Statement
-from robolayout.scene import ROUNDING, Scene
+from robolayout.scene import OPENINGS, ROUNDING, Scene
 
 OVERHANG = 1.5
 """How many times as large as a top a thing on it may be (a lampshade is wider than what it stands on, a bed is not)."""
@@ -264,10 +264,10 @@ def _trouble(so_far: Accepted, relation: AtWall, index: int) -> str | None:
         return f"{elsewhere} is already at walls[{so_far.walls[elsewhere]}]"
     spans = {name: so_far.span(name) for name in (*names, *so_far.walls)}
     widths = {name: so_far.scene.by_name[name].size[1] for name in spans}
-    low, high = min(spans[name][0] for name in names), max(spans[name][1] for name in names)
-    free = possible.free_intervals(so_far.scene.room, wall, (low, high))
+    low = min(spans[name][0] for name in names)
+    free = wall.between(so_far.scene.room.doors if low < OPENINGS.landing_height else ())
     needed = sum(widths[name] for name in names) + getattr(relation, "gap", 0.0) * (len(names) - 1)
-    room = possible.longest(free)
+    room = max((far - near for near, far in free), default=0.0)
     if needed > room + ROUNDING:
         beside = " beside its door" if room < wall.length - ROUNDING else ""
         return f"walls[{index}] has {room:.2f} m{beside}, {' and '.join(names[:3])} need{'s' * (len(names) == 1)} {needed:.2f} m"

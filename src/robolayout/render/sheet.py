@@ -181,9 +181,8 @@ def _draw_names(sheet: Drawing, given: _Given, place: Place, k: float) -> list[O
 
 def _bare_middle(scene: Scene, wall: Wall) -> float:
     """Return the middle of a wall's longest stretch without opening, metres from its start."""
-    openings = [o for o in (*scene.room.doors, *scene.room.windows) if o.wall == wall.index]
-    ends = sorted([0.0, wall.length, *(x for o in openings for x in (o.offset, o.offset + o.width))])
-    a, b = max(zip(ends[::2], ends[1::2], strict=True), key=lambda pair: pair[1] - pair[0])
+    free = wall.between((*scene.room.doors, *scene.room.windows))
+    a, b = max(free, key=lambda pair: pair[1] - pair[0], default=(0.0, 0.0))
     return (a + b) / 2
 
 

@@ -8,6 +8,7 @@ and the room lies on its left.
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -69,6 +70,14 @@ class Wall:
         """Return where a point is: how far along the wall's line, and how far into the room from it, metres."""
         (dx, dy), (nx, ny), x, y = self.direction, self.normal, point[0] - self.start[0], point[1] - self.start[1]
         return (x * dx + y * dy, x * nx + y * ny)
+
+    def between(self, openings: Iterable[Opening]) -> list[tuple[float, float]]:
+        """Return the stretches of the wall, in metres along it, that no opening in it takes."""
+        done, stretches = 0.0, list[tuple[float, float]]()
+        for opening in sorted((o for o in openings if o.wall == self.index), key=lambda o: o.offset):
+            stretches.append((done, opening.offset))
+            done = max(done, opening.offset + opening.width)
+        return [(start, end) for start, end in (*stretches, (done, self.length)) if start < end]
 
     def distance(self, point: Point) -> float:
         """Return how far a point is from the wall, metres."""
