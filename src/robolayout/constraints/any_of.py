@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from robolayout.constraints._refs import AssetRef, Ref
+from robolayout.constraints._refs import Ref
 from robolayout.constraints._relation import Outcome, Relation, Term, Way, argument, best_way
 from robolayout.scene import Layout, Scene
 
@@ -24,10 +24,6 @@ class AnyOf(Relation):
         """Return everything that its statements are about, each once; the subjects of all first."""
         several = [one.refs() for way in self.choices for one in way]
         return tuple(dict.fromkeys([*(refs[0] for refs in several), *(ref for refs in several for ref in refs)]))
-
-    def asset_names(self) -> tuple[str, ...]:
-        """Return the names of the assets that it is about, each once."""
-        return tuple(ref.name for ref in self.refs() if isinstance(ref, AssetRef))
 
     def ways(self, scene: Scene) -> tuple[Way, ...]:
         """Return the choices; of one that is a single statement with ways of its own, these."""
