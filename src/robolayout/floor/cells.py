@@ -45,4 +45,4 @@ def entered(labels: NDArray[np.int32], sizes: Cells, landing: Mask | None) -> in
 
 def turning_radius(agent: Agent) -> float:
     """Return the radius in metres of the circle that must be free where a body turns, at least that of its disc."""
-    return max(agent.radius, agent.circumradius, (agent.turning_diameter or 0.0) / 2)
+    return max(agent.radius, agent.turning_circle / 2)

@@ -68,9 +68,8 @@ def _circles(report: AgentReport) -> tuple[tuple[Point, float], ...]:
     agent, space = report.agent, report.headings
     if space is None:
         return ()
-    diameter = max(2 * agent.circumradius, agent.turning_diameter or 0.0)
     spots = [maximum_inscribed_circle(place, 0.01).coords[0] for place in list(space.turning.geoms)[: MARKS.circles]]
-    return tuple(((float(x), float(y)), diameter) for x, y in spots)
+    return tuple(((float(x), float(y)), agent.turning_circle) for x, y in spots)
 
 
 def _arcs(report: AgentReport) -> tuple[tuple[Point, ...], ...]:

@@ -17,7 +17,7 @@ from robolayout.scene.agent import horizontal_reach
 
 def draw_body(agent: Agent) -> Drawing:
     """Return the drawing of a body in paper millimetres."""
-    around = 2 * max(agent.reach if _has_arm(agent) else 0.0, agent.circumradius, agent.radius, _turning(agent) / 2)
+    around = 2 * max(agent.reach if _has_arm(agent) else 0.0, agent.radius, agent.turning_circle / 2)
     tall = max(agent.height, BODY.door[1], agent.reach_high if _has_arm(agent) else 0.0)
     scale = next((s for s in BODY.scales if max(around, tall) * 1000 / s <= BODY.space), BODY.scales[-1])
     k = 1000 / scale
@@ -50,11 +50,6 @@ def _has_arm(agent: Agent) -> bool:
     return agent.reach_distance is not None
 
 
-def _turning(agent: Agent) -> float:
-    """Return the diameter in metres of the circle in which it turns right round."""
-    return max(2 * agent.circumradius, agent.turning_diameter or 0.0)
-
-
 def _size(agent: Agent) -> tuple[float, float]:
     """Return length and width of the footprint in metres."""
     return (agent.length or 2 * agent.radius, agent.width or 2 * agent.radius)
@@ -67,7 +62,7 @@ def _draw_above(sheet: Drawing, agent: Agent, middle: Point, k: float) -> None:
         sheet.polygon([circle(middle, agent.reach * k, 72)], REACH, opacity=0.07, stroke=REACH, width=0.2)
     sheet.polygon([circle(middle, agent.radius * k, 72)], FREE, opacity=0.7, stroke=ROUTE, width=0.2, dash=(0.5, 0.6))
     if agent.length is not None:
-        sheet.polygon([circle(middle, _turning(agent) / 2 * k, 72)], None, stroke=TURN, width=0.3, dash=(1.4, 0.8))
+        sheet.polygon([circle(middle, agent.turning_circle / 2 * k, 72)], None, stroke=TURN, width=0.3, dash=(1.4, 0.8))
         outline = rectangle(x - length / 2, y - width / 2, x + length / 2, y + width / 2)
     else:
         outline = circle(middle, agent.radius * k, 72)
@@ -75,7 +70,7 @@ def _draw_above(sheet: Drawing, agent: Agent, middle: Point, k: float) -> None:
     tip = min(2.0, 0.25 * length)
     ahead = x + length / 2
     sheet.polygon([[(ahead - 0.4, y), (ahead - tip, y - 0.6 * tip), (ahead - tip, y + 0.6 * tip)]], ROUTE)
-    outer = max(agent.reach if _has_arm(agent) else 0.0, agent.radius, _turning(agent) / 2) * k
+    outer = max(agent.reach if _has_arm(agent) else 0.0, agent.radius, agent.turning_circle / 2) * k
     across = " across" if agent.length is None else f" x {_metres(width / k)}"
     sheet.words((x, y + outer + 2.6), _metres(length / k) + across, BODY.size, color=ROUTE)
 
@@ -121,7 +116,7 @@ def _draw_legend(sheet: Drawing, agent: Agent, at: Point, scale: int) -> None:
         (ROUTE, (0.5, 0.6), f"corridor {_metres(2 * agent.radius)}")
     ]
     if agent.length is not None:
-        rows.append((TURN, (1.1, 0.6), f"turning circle {_metres(_turning(agent))}"))
+        rows.append((TURN, (1.1, 0.6), f"turning circle {_metres(agent.turning_circle)}"))
     if _has_arm(agent):
         rows.append((REACH, None, f"reach {_metres(agent.reach)} from its centre"))
     rows.append((QUIET, (0.8, 0.8), f"door {BODY.door[0]:.2f} x {_metres(BODY.door[1])}"))

@@ -73,6 +73,11 @@ class Agent:
             return self.radius
         return math.hypot(self.length, self.width) / 2
 
+    @property
+    def turning_circle(self) -> float:
+        """Diameter in metres of the circle in which it turns right round."""
+        return max(2 * self.circumradius, self.turning_diameter or 0.0)
+
 
 @dataclass(frozen=True)
 class BodyDefaults:

@@ -174,8 +174,7 @@ class Headings:
     @cached_property
     def _turning(self) -> NDArray[np.object_]:
         """Return the places where the body can turn right round."""
-        circle = max(self._agent.circumradius, (self._agent.turning_diameter or 0.0) / 2)
-        return components(disc_space(self._room, self._blocking, circle).free)
+        return components(disc_space(self._room, self._blocking, self._agent.turning_circle / 2).free)
 
     def _swept(self, heading: float) -> list[Polygon]:
         """Return the places where the body can turn from a heading to the next, within a convex shape that holds it meanwhile."""

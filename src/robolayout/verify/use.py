@@ -286,9 +286,8 @@ class Usage:
         places, blocking = self._stranded(row), self._nav.blocking
         if places is None:
             return ()
-        circle = max(self.agent.circumradius, (self.agent.turning_diameter or 0.0) / 2)
         spot = shapely.get_point(shapely.shortest_line(places, self._found.footprints[row].centroid), 0)
-        return self._others(row, shapely.distance(blocking.shapes, spot) < circle)
+        return self._others(row, shapely.distance(blocking.shapes, spot) < self.agent.turning_circle / 2)
 
     def _places(self, heading: float) -> Iterator[tuple[str, bytes]]:
         """Yield what the body may use at a heading in radians, and from where, as WKB."""
