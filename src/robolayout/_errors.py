@@ -108,6 +108,13 @@ class UnknownNameError(InputError):
         )
 
 
+def among(kind: str, names: Iterable[str], known: Iterable[str]) -> None:
+    """Refuse the first name that is not known."""
+    known = tuple(known)
+    for name in (name for name in names if name not in known):
+        raise UnknownNameError(kind, name, known)
+
+
 class OutputError(InputError):
     """The output folder or file cannot be written."""
 

@@ -17,7 +17,7 @@ from typing import Any
 
 import numpy as np
 
-from robolayout._errors import AssetError, UnknownNameError
+from robolayout._errors import AssetError, among
 from robolayout._reading import LIMITS, MESH_SUFFIXES, Checker, inside, regular_bytes
 from robolayout._reading.syntax import decoded, json_value
 from robolayout.assets.category import Category
@@ -71,9 +71,7 @@ def import_folder(directory: Path, *, front: str | None = None, up: str | None =
     """
     if not directory.is_dir():
         raise AssetError(f"asset folder {directory.name!r} does not exist or is no folder.")
-    for axis in (front, up):
-        if axis is not None and axis not in AXES:
-            raise UnknownNameError("axis", axis, AXES)
+    among("axis", [axis for axis in (front, up) if axis is not None], AXES)
     assets: dict[str, Any] = {}
     skipped: list[dict[str, str]] = []
     files = {path.relative_to(directory).as_posix(): path for path in _mesh_files(directory)}

@@ -12,7 +12,7 @@ import typer
 from typer import Argument, Option
 from typer.core import TyperGroup
 
-from robolayout._errors import InputError
+from robolayout._errors import InputError, among
 from robolayout._files import check_writable, write_atomic
 from robolayout._version import __version__
 from robolayout.cli import options
@@ -206,7 +206,7 @@ def export(
     for name in formats:
         find_exporter(name)
     check_writable(out)
-    options.one_of("body to export", body, BODIES)
+    among("body to export", [body], BODIES)
     chosen = replace(export_options(verify(given, placed)), leaves=standing(doors))
     chosen = replace(chosen, agent=None if body == "none" else chosen.agent, whole=body == "full")
     plain = [name for name in formats if find_exporter(name).fit is None]

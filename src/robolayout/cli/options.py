@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Annotated, Any, get_type_hints
 
 from typer import Argument, Option
 
-from robolayout._errors import InputError, UnknownNameError
+from robolayout._errors import InputError
 from robolayout._files import check_writable
 from robolayout.cli.terminal import progress, say, warn
 
@@ -132,13 +132,6 @@ class Laid(Body):
 def names(given: str) -> list[str]:
     """Return names that are separated by commas."""
     return [name.strip() for name in given.split(",") if name.strip()]
-
-
-def one_of(kind: str, name: str, allowed: Sequence[str]) -> str:
-    """Return a name, if it is one of those that are allowed."""
-    if name not in allowed:
-        raise UnknownNameError(kind, name, allowed)
-    return name
 
 
 def ending(path: Path, what: str, allowed: Sequence[str]) -> str:

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 from typer import Option
 
+from robolayout._errors import among
 from robolayout._files import write_atomic
 from robolayout._text import pretty
 from robolayout.cli import options
@@ -25,7 +26,8 @@ def standing(doors: str) -> str:
     """Return how the room's doors stand, if it is known."""
     from robolayout.export import LEAVES
 
-    return options.one_of("way for doors to stand", doors, LEAVES)
+    among("way for doors to stand", [doors], LEAVES)
+    return doors
 
 
 @options.spread

@@ -17,7 +17,7 @@ from dataclasses import dataclass, field, fields
 from pathlib import Path
 from typing import Any
 
-from robolayout._errors import InputError, UnknownNameError
+from robolayout._errors import InputError, among
 from robolayout._reading import LIMITS, Checker
 from robolayout.assets import find_category, import_folder
 from robolayout.export import find_exporter
@@ -171,9 +171,7 @@ def value_of(text: str) -> dict[str, Any]:
 def _spec(table: Mapping[str, Any]) -> Spec:
     """Return the table of a SPEC with every value in its right type and within its bounds."""
     known = {one.name: one for one in fields(Spec)}
-    for key in table:
-        if key not in known:
-            raise UnknownNameError("key in the SPEC", str(key), known)
+    among("key in the SPEC", map(str, table), known)
     if not table.get("rooms"):
         raise InputError('the SPEC names no rooms; add them, such as rooms = ["bedroom", "office"].')
     if table.get("each") and "count" in table:
@@ -185,9 +183,7 @@ def _spec(table: Mapping[str, Any]) -> Spec:
         ("files", [spec.files], ("run", "formats")),
         ("dress", spec.dress, DRESSINGS),
     ):
-        for name in names:
-            if name not in allowed:
-                raise UnknownNameError(kind, name, allowed)
+        among(kind, names, allowed)
     for name in spec.formats:
         find_exporter(name)
     return spec

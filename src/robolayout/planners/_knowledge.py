@@ -16,14 +16,14 @@ from importlib.resources import files
 from pathlib import Path
 from typing import Any
 
-from robolayout._errors import InputError, SceneError
+from robolayout._errors import InputError, SceneError, among
 from robolayout._reading import Checker
 from robolayout._reading.syntax import toml_value
 from robolayout.assets import CATALOGUE, Category, find_category
 from robolayout.assets.category import BUILT_IN, HEADS, PLACES, SIDES
 from robolayout.assets.lexicon import place_of
 from robolayout.constraints import RELATIONS
-from robolayout.planners._shapes import among, build, table, tables
+from robolayout.planners._shapes import build, table, tables
 from robolayout.scene import Asset, agent_names
 from robolayout.words.rooms import RoomType
 

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import MISSING, fields
 from functools import cache
 from typing import Any, TypeVar, cast, get_args, get_origin, get_type_hints
 
-from robolayout._errors import SceneError, UnknownNameError
+from robolayout._errors import SceneError, among
 from robolayout._reading import show
 
 Kind = TypeVar("Kind")
@@ -65,10 +65,3 @@ def table(value: object, where: str) -> dict[str, Any]:
     if not isinstance(value, Mapping):
         raise SceneError(f"{where} must be a table, but is {show(value)}.")
     return dict(value)
-
-
-def among(kind: str, names: Iterable[str], known: Iterable[str]) -> None:
-    """Refuse the first name that is not known."""
-    known = tuple(known)
-    for name in (name for name in names if name not in known):
-        raise UnknownNameError(kind, name, known)

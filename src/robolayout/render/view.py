@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 from PIL import Image, ImageDraw
 
 from robolayout._color import linear
-from robolayout._errors import InputError, UnknownNameError
+from robolayout._errors import InputError, UnknownNameError, among
 from robolayout.assets import parts
 from robolayout.render._drawing import font, is_latin
 from robolayout.render._mesh import (
@@ -238,8 +238,7 @@ def make_renderer(mesh: Mesh, sky: NDArray[np.bool_], sun: NDArray[np.bool_], re
 
     `sky` and `sun` say which triangles take the light of each away.
     """
-    if renderer not in ("auto", "gl", "rays"):
-        raise UnknownNameError("renderer", renderer, ["auto", "gl", "rays"])
+    among("renderer", [renderer], ["auto", "gl", "rays"])
     from robolayout.render._rays import RayRenderer
 
     if renderer == "rays":

@@ -10,7 +10,7 @@ from typing import Any
 
 import shapely
 
-from robolayout._errors import InputError, UnknownNameError
+from robolayout._errors import InputError, among
 from robolayout.assets import place_of
 from robolayout.planners import ModelPlanner, Planner, Understanding, scene_from_sentence
 from robolayout.program import Guess
@@ -88,9 +88,7 @@ def as_start(scene: Scene, start: Layout | Mapping[str, Any] | str | Path) -> La
 
 def pinned_poses(scene: Scene, start: Layout | None, keep: Sequence[str], free: Sequence[str]) -> dict[str, Pose]:
     """Return the poses that stay, of what is to be kept or of all that is not free."""
-    for name in (*keep, *free):
-        if name not in scene.by_name:
-            raise UnknownNameError("asset", name, scene.by_name)
+    among("asset", (*keep, *free), scene.by_name)
     if keep and free:
         raise InputError("keep and free exclude each other: name what stays, or name all that may move.")
     if start is None:

@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
 
-from robolayout._errors import UnknownNameError
+from robolayout._errors import among
 from robolayout.scene.asset import Asset
 
 
@@ -67,8 +67,7 @@ class Layout(Mapping[str, Pose]):
 
         What stands on it stays (`generate(start=...)` mends that).
         """
-        if name not in self.poses:
-            raise UnknownNameError("asset in the layout", name, self.poses)
+        among("asset in the layout", [name], self.poses)
         pose = self.poses[name]
         there = replace(pose, x=pose.x + by[0], y=pose.y + by[1], yaw=pose.yaw + math.radians(turn))
         return Layout({**self.poses, name: there})

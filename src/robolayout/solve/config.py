@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
-from robolayout._errors import UnknownNameError
+from robolayout._errors import among
 
 
 @dataclass(frozen=True)
@@ -93,6 +93,5 @@ class SolverConfig:
         Raises:
             UnknownNameError: There is no schedule of that name.
         """
-        if effort not in EFFORTS:
-            raise UnknownNameError("effort", effort, EFFORTS)
+        among("effort", [effort], EFFORTS)
         return replace(self, effort=EFFORTS[effort])

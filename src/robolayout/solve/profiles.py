@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from robolayout._errors import UnknownNameError
+from robolayout._errors import among
 from robolayout.scene import Layout
 from robolayout.solve.compile import Problem
 from robolayout.solve.config import SolverConfig
@@ -46,8 +46,7 @@ def solve_with(
     Raises:
         UnknownNameError: There is no solver of that name.
     """
-    if name not in solver_names():
-        raise UnknownNameError("solver", name, solver_names())
+    among("solver", [name], solver_names())
     if not problem.names:
         nothing = Layout({})
         return Solution(nothing, judge(nothing))
