@@ -24,11 +24,11 @@ from robolayout._reading.syntax import Unreadable, decoded, xml_root
 
 Array = NDArray[np.float64]
 
-PARSER_ERRORS = (
+FOREIGN_ERRORS = (
     ArithmeticError, AssertionError, AttributeError, EOFError, ImportError, LookupError, MemoryError, NameError,
     OSError, RuntimeError, SyntaxError, TypeError, ValueError, struct.error, zlib.error,
 )  # fmt: skip
-"""What mesh and image parsers raise on broken files."""
+"""What code of others raises on broken files, and files of one's own when they run."""
 _PIECES = {
     ".obj": re.compile(rb"^[ \t]*(?:[og]|usemtl)\b", re.MULTILINE),
     ".stl": re.compile(rb"^\s*solid", re.MULTILINE),
@@ -67,7 +67,7 @@ def mesh_pieces(data: bytes, suffix: str) -> tuple[Piece, ...]:
     try:
         _check_promises(data, suffix)
         pieces = tuple(_pieces(data, suffix[1:]))
-    except PARSER_ERRORS as error:
+    except FOREIGN_ERRORS as error:
         short = " ".join(str(error).split())[:120].rstrip(".") or type(error).__name__
         raise Unreadable(f"is broken and cannot be used: {short}") from None
     if not pieces:

@@ -10,6 +10,7 @@ from __future__ import annotations
 import json
 import math
 import re
+import struct
 from itertools import accumulate
 from typing import TYPE_CHECKING, cast
 
@@ -29,6 +30,9 @@ _LONG_KEY = re.compile(rf"(?<![\w-])(?:[\w-]*+[ \t]*+\.[ \t]*+){{{LIMITS.depth}}
 _STEPS = {ord("["): 1, ord("{"): 1, ord("]"): -1, ord("}"): -1}
 _NO_BRACKETS = bytes(set(range(256)) - set(_STEPS))
 _DECLARES = re.compile(r"<!(?:DOCTYPE|ENTITY)", re.IGNORECASE)
+
+ASTRAY = (ArithmeticError, AttributeError, LookupError, TypeError, ValueError, struct.error)
+"""What is tripped over in data of another form."""
 
 
 class Unreadable(Exception):

@@ -14,18 +14,13 @@ from types import MappingProxyType, ModuleType
 from typing import TypeVar
 
 from robolayout._errors import InputError
+from robolayout._reading.mesh import FOREIGN_ERRORS
 from robolayout.constraints._relation import Relation
 
 _KNOWN: dict[str, type[Relation]] = {}
 
 RELATIONS: Mapping[str, type[Relation]] = MappingProxyType(_KNOWN)
 """All relations by the word that names them in a program."""
-
-_OWN_ERRORS = (
-    ArithmeticError, AssertionError, AttributeError, EOFError, ImportError, LookupError, MemoryError, NameError, OSError,
-    RuntimeError, SyntaxError, TypeError, ValueError,
-)  # fmt: skip
-"""What a file of one's own may raise when it runs."""
 
 AnyRelation = TypeVar("AnyRelation", bound=type[Relation])
 
@@ -52,7 +47,7 @@ def register_file(path: str | Path) -> tuple[type[Relation], ...]:
     module = sys.modules[name] = importlib.util.module_from_spec(spec)
     try:
         spec.loader.exec_module(module)
-    except _OWN_ERRORS as error:
+    except FOREIGN_ERRORS as error:
         lines = [frame.lineno for frame in traceback.extract_tb(error.__traceback__) if frame.filename == str(path)]
         line = error.lineno if isinstance(error, SyntaxError) else lines[-1] if lines else None
         reason = " ".join(f"{type(error).__name__}: {error}".split())[:300]

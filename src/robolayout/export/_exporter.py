@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import hashlib
 import re
-import struct
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import wraps
@@ -14,6 +13,7 @@ import numpy as np
 
 from robolayout._errors import LayoutError
 from robolayout._reading import LIMITS, Unreadable
+from robolayout._reading.syntax import ASTRAY
 from robolayout._text import pretty, utf8
 from robolayout.assets import Part, category_of
 from robolayout.constraints import TOLERANCE
@@ -24,10 +24,6 @@ Routes = Mapping[str, Sequence[Point]]
 
 Json = dict[str, object]
 Bundle = tuple[bytes, Mapping[str, bytes]]
-
-_ASTRAY = (ArithmeticError, AttributeError, LookupError, TypeError, ValueError, struct.error)
-"""What a reader trips over in bytes of another form."""
-
 
 LEAVES = ("swinging", "open", "shut")
 """How doors of a room stand in a simulator: as in the scene and free to turn, or fixed, open or shut."""
@@ -197,7 +193,7 @@ def reader(what: str) -> Callable[[Callable[[bytes], Rows]], Read]:
                 astray = [name for name, pose in layout.items() if not pose.is_finite]
             except Unreadable as error:
                 raise LayoutError(f"this {what} {error}. Was the file written to its end?") from error
-            except _ASTRAY as error:
+            except ASTRAY as error:
                 text = " ".join(f"{type(error).__name__} {error}".split())[:80]
                 raise LayoutError(
                     f"this {what} is none that robolayout wrote ({text}); export the layout again."

@@ -11,6 +11,7 @@ from typing import Any, cast
 
 from robolayout._errors import InputError
 from robolayout._reading import Checker
+from robolayout._reading.syntax import ASTRAY
 from robolayout.assets import find_category
 from robolayout.many.room import NOTE
 from robolayout.run.result import Result, judge, load_judged
@@ -20,9 +21,6 @@ from robolayout.scene._asset_io import look_up
 _CHECK = Checker(InputError)
 FORMAT = "sceneState"  # what such a file says in "format"
 DRAWN = ("source", "style", "dress", "solver", "reach", "seed")  # what a batch drew for a room
-
-_ASTRAY = (ArithmeticError, AttributeError, LookupError, TypeError, ValueError)
-"""What is tripped over in a file of another form."""
 
 Json = Mapping[str, Any]
 
@@ -51,7 +49,7 @@ class Found:
         state = _CHECK.mapping(_CHECK.read_json(self.layout, "scene state"), f"scene state {self.layout}")
         try:
             scene, layout = _read(state, self.layout.stem, asset_dir)
-        except _ASTRAY as error:
+        except ASTRAY as error:
             raise InputError(
                 f"the scene state {self.layout.stem!r} has another form than scene@1.0.2 ({error})."
             ) from None

@@ -48,6 +48,7 @@ from pydantic_ai.settings import ModelSettings
 from pydantic_ai.usage import RequestUsage
 
 from robolayout._errors import AnswerError, BudgetError, InputError, ModelError, UnavailableError
+from robolayout._reading.syntax import ASTRAY
 from robolayout.planners.model.errors import refuses_images, sentence
 from robolayout.planners.model.exchange import Question, Tape
 from robolayout.planners.model.prompt import PROMPT_VERSION
@@ -61,8 +62,6 @@ Check = Callable[[Any], str | None]
 
 MOST_CHARACTERS = 400_000  # characters of an answer beyond which it is refused
 
-ASTRAY = (ArithmeticError, AttributeError, LookupError, TypeError, ValueError)
-"""What a provider's client trips over in an answer that is JSON but of no form that it knows."""
 FAILURES = {kind.__name__: kind for kind in (ModelError, BudgetError, AnswerError, UnavailableError)}
 """How a recorded question may have failed."""
 
