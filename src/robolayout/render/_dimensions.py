@@ -51,8 +51,7 @@ def chained(room: Room, k: float) -> tuple[float, float, float, float]:
     ends = [
         chain.point(at, _off(chain, k) + 4.0 / k) for chain in chains(room) for at in (chain.marks[0], chain.marks[-1])
     ]
-    xs, ys = zip(*ends, strict=True)
-    return (min(xs), min(ys), max(xs), max(ys))
+    return shapely.MultiPoint(ends).bounds
 
 
 def _off(chain: Chain, k: float) -> float:

@@ -166,8 +166,7 @@ class Room:
     @cached_property
     def area(self) -> float:
         """Floor area in square metres."""
-        ring = zip(self.vertices, self.vertices[1:] + self.vertices[:1], strict=True)
-        return sum(ax * by - bx * ay for (ax, ay), (bx, by) in ring) / 2
+        return sum(w.start[0] * w.end[1] - w.end[0] * w.start[1] for w in self.walls) / 2
 
     @cached_property
     def fills_bounds(self) -> bool:
