@@ -10,7 +10,7 @@ from shapely.affinity import affine_transform
 from shapely.geometry.base import BaseGeometry
 
 from robolayout.constraints._refs import AssetRef, PointRef, Ref, WallRef
-from robolayout.scene import Layout, Scene
+from robolayout.scene import Layout, Pose, Scene
 
 
 @dataclass(frozen=True)
@@ -36,40 +36,25 @@ class Tolerances:
 TOLERANCE = Tolerances()
 
 
-@dataclass(frozen=True)
-class Frame:
-    """A frame in plan: origin in metres and yaw in radians."""
-
-    x: float
-    y: float
-    yaw: float
-
-    def local(self, shape: Polygon) -> Polygon:
-        """Return the shape as seen from this frame."""
-        c, s = math.cos(self.yaw), math.sin(self.yaw)
-        return affine_transform(shape, [c, s, -s, c, -c * self.x - s * self.y, s * self.x - c * self.y])
-
-    def point(self, x: float, y: float) -> tuple[float, float]:
-        """Return the world point (x, y) as seen from this frame."""
-        c, s = math.cos(self.yaw), math.sin(self.yaw)
-        dx, dy = x - self.x, y - self.y
-        return (c * dx + s * dy, c * dy - s * dx)
-
-
-def frame(scene: Scene, layout: Layout, ref: Ref) -> Frame:
+def frame(scene: Scene, layout: Layout, ref: Ref) -> Pose:
     """Return the frame of an asset (x along its front), a wall (origin in its middle, x along it) or a point."""
     if isinstance(ref, AssetRef):
-        pose = layout[ref.name]
-        return Frame(pose.x, pose.y, pose.yaw)
+        return layout[ref.name]
     if isinstance(ref, WallRef):
         wall = scene.room.walls[ref.index]
-        return Frame(*wall.midpoint, math.atan2(wall.direction[1], wall.direction[0]))
-    return Frame(ref.x, ref.y, ref.yaw)
+        return Pose(*wall.midpoint, 0.0, math.atan2(wall.direction[1], wall.direction[0]))
+    return Pose(ref.x, ref.y, 0.0, ref.yaw)
 
 
 def footprint(scene: Scene, layout: Layout, ref: AssetRef) -> Polygon:
     """Return the exact footprint of a placed asset."""
     return Polygon(layout[ref.name].corners(scene.by_name[ref.name].size))
+
+
+def seen_from(here: Pose, shape: Polygon) -> Polygon:
+    """Return a shape of the room as it lies in a frame."""
+    c, s = here.forward
+    return affine_transform(shape, [c, s, -s, c, -c * here.x - s * here.y, s * here.x - c * here.y])
 
 
 def shape(scene: Scene, layout: Layout, ref: Ref) -> Polygon | LineString:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import ClassVar
 
-from robolayout.constraints._exact import TOLERANCE, footprint, frame, half_size
+from robolayout.constraints._exact import TOLERANCE, footprint, frame, half_size, seen_from
 from robolayout.constraints._refs import AssetRef
 from robolayout.constraints._relation import FAR, FrameTerm, Interval, Outcome, Relation, Term, argument
 from robolayout.scene import Layout, Scene
@@ -38,9 +38,9 @@ class BySide(Relation):
         """Gap within [min_gap - 0.05, max_gap + 0.05] m, centre within b's extent along that side."""
         side, low, high = self.side, self.min_gap, self.max_gap
         bhx, bhy = half_size(scene, self.b)
-        seen = frame(scene, layout, self.b)
-        left, bottom, right, top = seen.local(footprint(scene, layout, self.a)).bounds
-        u, v = seen.point(layout[self.a.name].x, layout[self.a.name].y)
+        here = frame(scene, layout, self.b)
+        left, bottom, right, top = seen_from(here, footprint(scene, layout, self.a)).bounds
+        u, v = here.seen(layout[self.a.name].at)
         gaps = {"front": left - bhx, "back": -bhx - right, "left": bottom - bhy, "right": -bhy - top}
         gaps["beside"] = max(gaps["left"], gaps["right"])
         slip = max(0.0, abs(v) - bhy if side in ("front", "back") else abs(u) - bhx)

@@ -29,6 +29,6 @@ class Above(Relation):
         """The centre within b's footprint, or at most 0.3 m behind its back, with 5 cm of tolerance."""
         hx, hy = half_size(scene, self.b)
         pose = layout[self.a.name]
-        u, v = frame(scene, layout, self.b).point(pose.x, pose.y)
+        u, v = frame(scene, layout, self.b).seen(pose.at)
         off = max(0.0, u - hx, -hx - TOLERANCE.behind - u, abs(v) - hy)
         return Outcome.at_most(TOLERANCE.gap, off, "m", f"{off:.2f} m beside the place over {self.b}")

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, replace
 
-from robolayout.constraints._exact import TOLERANCE, angle_between, footprint, frame
+from robolayout.constraints._exact import TOLERANCE, angle_between, footprint, frame, seen_from
 from robolayout.constraints._refs import AssetRef, WallRef
 from robolayout.constraints._relation import FrameTerm, Interval, Outcome, Relation, Term, Way, argument, best_way
 from robolayout.scene import Layout, Scene
@@ -30,9 +30,9 @@ def wall_outcome(a: AssetRef, wall: WallRef, scene: Scene, layout: Layout) -> Ou
     pose = layout[a.name]
     depth = scene.by_name[a.name].size[0]
     back = (pose.x - depth / 2 * pose.forward[0], pose.y - depth / 2 * pose.forward[1])
-    gap = abs(frame(scene, layout, wall).point(*back)[1])
+    gap = abs(frame(scene, layout, wall).seen(back)[1])
     turned = angle_between(pose.yaw, math.atan2(segment.normal[1], segment.normal[0]))
-    left, _, right, _ = frame(scene, layout, wall).local(footprint(scene, layout, a)).bounds
+    left, _, right, _ = seen_from(frame(scene, layout, wall), footprint(scene, layout, a)).bounds
     overlaps = left < segment.length / 2 and right > -segment.length / 2
     met = gap <= TOLERANCE.gap and turned <= TOLERANCE.angle and overlaps
     text = f"back edge {gap:.2f} m from {wall}, front {turned:.0f} deg off" + ("" if overlaps else ", beside the wall")

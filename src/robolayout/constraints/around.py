@@ -122,7 +122,7 @@ class Around(Relation):
         """Return one row per item that pins it to the slot that is nearest to its guess."""
         slots = self.slots(scene)
         table = frame(scene, near, self.b)
-        here = [table.point(near[item.name].x, near[item.name].y) for item in self.items]
+        here = [table.seen(near[item.name].at) for item in self.items]
         chosen = assignment([[math.dist(spot, slot[:2]) for slot in slots] for spot in here])
         return tuple(
             FrameTerm(

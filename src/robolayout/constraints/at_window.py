@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
-from robolayout.constraints._exact import TOLERANCE, footprint, frame
+from robolayout.constraints._exact import TOLERANCE, footprint, frame, seen_from
 from robolayout.constraints._refs import AssetRef, WallRef
 from robolayout.constraints._relation import FrameTerm, Interval, Outcome, Relation, Term, Way, argument
 from robolayout.scene import Layout, Opening, Scene
@@ -52,10 +52,10 @@ class AtWindow(Relation):
 
     def _missed(self, window: Opening, scene: Scene, layout: Layout) -> float:
         """Return how many metres it lacks to stand at a window."""
-        pose, seen = layout[self.a.name], frame(scene, layout, WallRef(window.wall))
+        pose, here = layout[self.a.name], frame(scene, layout, WallRef(window.wall))
         low, high = _span(window, scene)
-        u, _ = seen.point(pose.x, pose.y)
-        gap = seen.local(footprint(scene, layout, self.a)).bounds[1]
+        u, _ = here.seen(pose.at)
+        gap = seen_from(here, footprint(scene, layout, self.a)).bounds[1]
         return max(0.0, low - u, u - high, gap - TOLERANCE.window, -gap)
 
 

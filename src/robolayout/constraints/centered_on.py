@@ -36,7 +36,7 @@ class CenteredOn(Relation):
     def check(self, scene: Scene, layout: Layout) -> Outcome:
         """Within 10 cm along each bound axis; of a point, within 10 cm."""
         pose, target = layout[self.a.name], point_ref(self.b, scene)
-        u, v = frame(scene, layout, target).point(pose.x, pose.y)
+        u, v = frame(scene, layout, target).seen(pose.at)
         along, across = self._bound(scene)
         off = math.hypot(u, v) if isinstance(target, PointRef) else max(abs(u) * along, abs(v) * across)
         where = "the middle of the room" if self.b is None else f"the middle of {self.b}"

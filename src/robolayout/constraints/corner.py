@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, replace
 
-from robolayout.constraints._exact import TOLERANCE, footprint, frame, shape
+from robolayout.constraints._exact import TOLERANCE, footprint, frame, seen_from, shape
 from robolayout.constraints._refs import AssetRef, WallRef
 from robolayout.constraints._relation import FrameTerm, Interval, Outcome, Relation, Term, Way, argument
 from robolayout.scene import Layout, Room, Scene
@@ -70,4 +70,4 @@ class Corner(Relation):
         body, count = footprint(scene, layout, self.a), len(scene.room.walls)
         walls = [WallRef(i % count) for i in (vertex - 1, vertex)]
         gap = max(shape(scene, layout, wall).distance(body) for wall in walls)
-        return gap, max(0.0, *(-frame(scene, layout, wall).local(body).bounds[1] for wall in walls))
+        return gap, max(0.0, *(-seen_from(frame(scene, layout, wall), body).bounds[1] for wall in walls))

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from robolayout.constraints._exact import TOLERANCE, Frame, angle_between, frame
+from robolayout.constraints._exact import TOLERANCE, angle_between, frame
 from robolayout.constraints._refs import AssetRef
 from robolayout.constraints._relation import FrameTerm, Interval, Outcome, Relation, Term, argument
 from robolayout.scene import Layout, Scene
@@ -34,13 +34,13 @@ class InRows(Relation):
 
     def terms(self, scene: Scene, near: Layout) -> tuple[Term, ...]:
         """Return one row for each but the first: on the first one's line, or at its place beside the nearest line."""
-        first, seen = self.items[0], frame(scene, near, self.items[0])
+        first, here = self.items[0], frame(scene, near, self.items[0])
         rows: list[Term] = []
         for item in self.items[1:]:
-            u, v = self._beside(seen, near, item)
+            u, v = here.seen(near[item.name].at)
             step = scene.by_name[item.name].size[0] / 2
             along = 0.0 if abs(u) < step else u
-            turned = math.pi if math.cos(near[item.name].yaw - seen.yaw) < 0 else 0.0
+            turned = math.pi if math.cos(near[item.name].yaw - here.yaw) < 0 else 0.0
             rows.append(
                 FrameTerm(
                     item, first, along=Interval(along, along), across=Interval(v, v), heading=turned, moves="both"
@@ -50,17 +50,17 @@ class InRows(Relation):
 
     def check(self, scene: Scene, layout: Layout) -> Outcome:
         """Headings alike or opposite within 10 degrees (by turns with `backs`); middles of a line within 5 cm; as many lines as asked."""
-        seen = frame(scene, layout, self.items[0])
-        apart = [angle_between(layout[item.name].yaw, seen.yaw) for item in self.items]
+        here = frame(scene, layout, self.items[0])
+        apart = [angle_between(layout[item.name].yaw, here.yaw) for item in self.items]
         turned = max(min(off, 180.0 - off) for off in apart)
         lines: list[list[float]] = []
         ahead: list[set[bool]] = []
-        for u, item in sorted((self._beside(seen, layout, item)[0], item) for item in self.items):
+        for u, item in sorted((here.seen(layout[item.name].at)[0], item) for item in self.items):
             if not lines or u - lines[-1][0] >= scene.by_name[item.name].size[0] / 2:
                 lines.append([])
                 ahead.append(set())
             lines[-1].append(u)
-            ahead[-1].add(math.cos(layout[item.name].yaw - seen.yaw) > 0)
+            ahead[-1].add(math.cos(layout[item.name].yaw - here.yaw) > 0)
         off = max(max(line) - min(line) for line in lines)
         longest = max(map(len, lines))
         even = self.rows is None or (len(lines) == self.rows and longest <= math.ceil(len(self.items) / self.rows))
@@ -73,6 +73,3 @@ class InRows(Relation):
         )
         text = f"{len(lines)} rows of at most {longest}, up to {off:.2f} m out of line, {turned:.0f} deg off"
         return Outcome(met, off, 2 * TOLERANCE.gap, "m", text)
-
-    def _beside(self, seen: Frame, layout: Layout, item: AssetRef) -> tuple[float, float]:
-        return seen.point(layout[item.name].x, layout[item.name].y)

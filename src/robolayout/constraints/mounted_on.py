@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 from robolayout.assets import category_of
-from robolayout.constraints._exact import TOLERANCE, footprint, frame
+from robolayout.constraints._exact import TOLERANCE, footprint, frame, seen_from
 from robolayout.constraints._refs import AssetRef, WallRef
 from robolayout.constraints._relation import Interval, Outcome, Relation, Term, Way, argument, best_way
 from robolayout.constraints.against_wall import AgainstWall, wall_outcome, wall_term
@@ -48,7 +48,7 @@ class MountedOn(Relation):
             return best_way(self.ways(scene), scene, layout)[1]
         outcome = wall_outcome(self.a, self.wall, scene, layout)
         off = 0.0 if self.height is None else abs(layout[self.a.name].z - self.height)
-        left, _, right, _ = frame(scene, layout, self.wall).local(footprint(scene, layout, self.a)).bounds
+        left, _, right, _ = seen_from(frame(scene, layout, self.wall), footprint(scene, layout, self.a)).bounds
         openings = self._openings(self.wall, scene, layout)
         before = max((min(right, high) - max(left, low) for low, high in openings), default=0.0)
         text = outcome.text + (f", {off:.2f} m off its height" if off > TOLERANCE.gap else "")
@@ -71,7 +71,7 @@ class MountedOn(Relation):
         openings, pose = self._openings(wall, scene, near), near[self.a.name]
         ends = [-half, *(end for opening in openings for end in opening), half]
         free = [(low, high) for low, high in zip(ends[::2], ends[1::2], strict=True) if high - low >= width]
-        along = frame(scene, near, wall).point(pose.x, pose.y)[0]
+        along = frame(scene, near, wall).seen(pose.at)[0]
         return min(free, key=lambda s: max(s[0] + width / 2 - along, along - s[1] + width / 2), default=(-half, half))
 
     def _size(self, scene: Scene) -> tuple[float, float, float]:

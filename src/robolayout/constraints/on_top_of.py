@@ -54,7 +54,7 @@ class OnTopOf(Relation):
         """Its bottom within 2 cm of a surface that will do, and its centre over that."""
         bottom, _ = vertical_span(scene.by_name[self.a.name], layout[self.a.name])
         low, _ = vertical_span(scene.by_name[self.b.name], layout[self.b.name])
-        centre = Point(frame(scene, layout, self.b).point(layout[self.a.name].x, layout[self.a.name].y))
+        centre = Point(frame(scene, layout, self.b).seen(layout[self.a.name].at))
         upper = scene.by_name[self.a.name]
         found = [
             (s.region.distance(centre) > 1e-6, abs(bottom - low - s.height), s.name)

@@ -26,10 +26,10 @@ def links_outcome(links: list[Link], scene: Scene, layout: Layout) -> Outcome:
     """Measure the worst place and heading of all links: within 5 cm along each axis and 10 degrees."""
     off, turned = 0.0, 0.0
     for a, b, x, y in links:
-        seen = frame(scene, layout, b)
-        u, v = seen.point(layout[a.name].x, layout[a.name].y)
+        here = frame(scene, layout, b)
+        u, v = here.seen(layout[a.name].at)
         off = max(off, abs(u - x), abs(v - y))
-        turned = max(turned, angle_between(layout[a.name].yaw, seen.yaw))
+        turned = max(turned, angle_between(layout[a.name].yaw, here.yaw))
     met = off <= TOLERANCE.gap and turned <= TOLERANCE.angle
     return Outcome(met, off, TOLERANCE.gap, "m", f"up to {off:.2f} m off its place, {turned:.0f} deg off its heading")
 

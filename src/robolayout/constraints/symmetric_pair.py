@@ -31,7 +31,7 @@ class SymmetricPair(Relation):
     def check(self, scene: Scene, layout: Layout) -> Outcome:
         """The mirror image of a within 10 cm of b."""
         axis = frame(scene, layout, self.ref)
-        first, second = (axis.point(layout[r.name].x, layout[r.name].y) for r in (self.a, self.b))
+        first, second = (axis.seen(layout[r.name].at) for r in (self.a, self.b))
         flip = (-1.0, 1.0) if isinstance(self.ref, WallRef) else (1.0, -1.0)
         error = math.dist((first[0] * flip[0], first[1] * flip[1]), second)
         text = f"{error:.2f} m from the mirror image about {self.ref}"

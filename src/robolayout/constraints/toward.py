@@ -31,6 +31,6 @@ class Toward(Relation):
     def check(self, scene: Scene, layout: Layout) -> Outcome:
         """The centre at most 5 cm past b's middle."""
         pose = layout[self.a.name]
-        u, v = frame(scene, layout, self.b).point(pose.x, pose.y)
+        u, v = frame(scene, layout, self.b).seen(pose.at)
         off = max(0.0, {"front": -u, "back": u, "left": -v, "right": v}[self.side])
         return Outcome.at_most(TOLERANCE.gap, off, "m", f"{off:.2f} m past the middle of {self.b}")

@@ -26,7 +26,6 @@ from robolayout.export._exporter import (
     kind_name,
     mass,
     placed,
-    seen_from,
 )
 from robolayout.export._mesh import Box, FloatArray, as_box, numbers, obj, volume
 from robolayout.export._rugs import laid_parts
@@ -273,4 +272,4 @@ def _patches(rug: Asset, scene: Scene, layout: Layout) -> Iterator[Box]:
             half = np.array([asset.size[0] / 2, asset.size[1] / 2, max(rug.size[2] / 2, BODIES.thinnest)])
             a, b = math.cos(pose.yaw - place.yaw), math.sin(pose.yaw - place.yaw)
             axes = np.array([[a, -b, 0.0], [b, a, 0.0], [0.0, 0.0, 1.0]])
-            yield Box(np.array([*seen_from(place, pose), 0.0]), half, axes)
+            yield Box(np.array([*place.seen(pose.at), 0.0]), half, axes)

@@ -154,15 +154,9 @@ def supporter(asset: Asset, scene: Scene, layout: Layout) -> str | None:
     return min(found)[1] if found and asset.on_object else None
 
 
-def seen_from(place: Pose, pose: Pose) -> Point:
-    """Return how many metres ahead of one pose and to its left another is."""
-    (cosine, sine), dx, dy = place.forward, pose.x - place.x, pose.y - place.y
-    return (cosine * dx + sine * dy, cosine * dy - sine * dx)
-
-
 def covers(place: Pose, other: Asset, pose: Pose) -> bool:
     """Return whether the centre of `pose` is over the footprint of `other` at `place`."""
-    ahead, left = seen_from(place, pose)
+    ahead, left = place.seen(pose.at)
     return abs(ahead) <= other.size[0] / 2 and abs(left) <= other.size[1] / 2
 
 

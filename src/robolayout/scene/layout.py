@@ -39,6 +39,11 @@ class Pose:
         c, s = self.forward
         return (self.x + c * ahead - s * left, self.y + s * ahead + c * left)
 
+    def seen(self, at: tuple[float, float]) -> tuple[float, float]:
+        """Return how many metres ahead of it and to its left a point of the room is."""
+        (c, s), dx, dy = self.forward, at[0] - self.x, at[1] - self.y
+        return (c * dx + s * dy, c * dy - s * dx)
+
     def corners(self, size: tuple[float, float, float]) -> tuple[tuple[float, float], ...]:
         """Return the four footprint corners of a box of `size` at this pose, counter-clockwise."""
         c, s = self.forward

@@ -239,9 +239,7 @@ def _parents(
 
 def _lies_on(pose: Pose, bottom: float, lower: Asset, under: Pose) -> bool:
     """Return whether a thing's centre is over a surface of another, its bottom at that height."""
-    size, (c, s) = lower.size, under.forward
-    dx, dy = pose.x - under.x, pose.y - under.y
-    at = Point(c * dx + s * dy, c * dy - s * dx)
+    size, at = lower.size, Point(under.seen(pose.at))
     if abs(at.x) > size[0] / 2 or abs(at.y) > size[1] / 2 or bottom > under.z + size[2] / 2 + LEVEL:
         return False
     heights = [size[2], *(top.height for top in surfaces_of(lower) if top.region.intersects(at))]

@@ -289,7 +289,7 @@ class _Dresser:
             sat_on = category_of(seat).movable and any(surface.is_seat for surface in surfaces_of(seat))
             if not sat_on or seat.name == place.carrier.name:
                 continue
-            x, y = Pose(0.0, 0.0, 0.0, -pose.yaw).point(at.x - pose.x, at.y - pose.y)
+            x, y = pose.seen(at.at)
             here, reach = Pose(x, y, 0.0, at.yaw - pose.yaw), seat.size[0] / 2 + DRESS.seat
             back = here.point(-1.0, 0.0)
             ray = shapely.LineString([back, here.point(reach, 0.0)])
