@@ -114,10 +114,10 @@ def draw_panel(
     sheet.line([(frame.left, frame.top), (frame.left, frame.bottom), (frame.right, frame.bottom)], QUIET, width=0.25)
 
 
-def nice_ticks(low: float, high: float, count: int = 5) -> list[float]:
-    """Return about `count` round numbers that span [low, high]."""
+def nice_ticks(low: float, high: float) -> list[float]:
+    """Return about five round numbers that span [low, high]."""
     span = max(high - low, 1e-9 + 1e-6 * abs(high))
-    raw = span / count
+    raw = span / 5
     power = 10.0 ** math.floor(math.log10(raw))
     step = next(m * power for m in (1, 2, 2.5, 5, 10) if m * power >= raw * 0.999)
     first, last = math.floor(low / step + 1e-9), math.ceil(high / step - 1e-9)

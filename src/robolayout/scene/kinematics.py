@@ -144,11 +144,11 @@ class Robot:
         """All arms at 0, or as near to it as they come."""
         return {joint.name: min(max(0.0, joint.low), joint.high) for joint in self.arms}
 
-    def folded(self, seed: int = 0) -> dict[str, float]:
+    def folded(self) -> dict[str, float]:
         """Return the values of the arms' joints at which the robot takes least floor, then least height."""
         if not self.arms:
             return {}
-        rng = np.random.default_rng(seed)
+        rng = np.random.default_rng(0)
         drawn = [{j.name: float(rng.uniform(j.low, j.high)) for j in self.arms} for _ in range(FOLDING.starts - 1)]
         starts = [self.rest, *(start for start in drawn if not self.meets(start))]
         found = [self._descended(start) for start in starts]
@@ -252,11 +252,11 @@ class Robot:
         most = max(candidates.values())
         return min(link for link, count in candidates.items() if count == most) if most >= 2 else None
 
-    def reach(self, floor: float, seed: int = 0) -> list[tuple[float, float, float]]:
+    def reach(self, floor: float) -> list[tuple[float, float, float]]:
         """Return how far from the root's axis the hand gets, by height above the `floor` of its frame: (from, to, metres), lowest first."""
         if self.hand is None:
             return []
-        rng = np.random.default_rng(seed)
+        rng = np.random.default_rng(0)
         values = {joint.name: rng.uniform(joint.low, joint.high, FOLDING.poses) for joint in self.arms}
         at = self.poses(values, FOLDING.poses)[self.hand][:, :3, 3]
         band = np.floor((at[:, 2] - floor) / FOLDING.band).astype(int)
