@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 from robolayout._reading.syntax import decoded, json_value
-from robolayout.export._exporter import Exporter, Options, Rows, dump_json, reader
+from robolayout.export._exporter import Exporter, Options, Rows, dump_json, placed, reader
 from robolayout.scene import Layout, Scene, layout_from_dict
 
 
 def write(scene: Scene, layout: Layout, options: Options) -> bytes:
     """Return the poses in the order of the scene's assets."""
-    ordered = {asset.name: layout[asset.name] for asset in scene.assets if asset.name in layout}
-    return dump_json(Layout(ordered).to_dict())
+    return dump_json(Layout({asset.name: pose for asset, pose in placed(scene, layout)}).to_dict())
 
 
 @reader("layout.json")

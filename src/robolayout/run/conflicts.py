@@ -62,22 +62,20 @@ class _Looker:
 
     def against(self, statement: Statement) -> str:
         """Return what stands against one unmet statement."""
-        best: tuple[float, str] | None = None
+        tried: list[tuple[float, str]] = []
         for place in self._places(statement):
             wrong, short, unmet = (then - now for then, now in zip(self._standing(place), self.now, strict=True))
             others = [s for s in self.program.statements if s.number in unmet]
             weight = sum(float(getattr(s.relation, "weight", 1.0)) for s in others)
             cost = 100.0 * len(wrong) + 2.0 * len(short) + weight
-            if best is None or cost < best[0]:
-                sentences = [*sorted(wrong), *(f"{name} out of reach" for name in sorted(short))]
-                for s in others:
-                    words = self.said.get(s.relation)
-                    called = f"the wish {words!r}" if words else f"statement {s.number}, {s.relation.sentence()}"
-                    sentences.append(called)
-                best = (cost, "; ".join(text.rstrip(".") for text in sentences[:3]))
-        if best is None:
+            sentences = [*sorted(wrong), *(f"{name} out of reach" for name in sorted(short))]
+            for s in others:
+                words = self.said.get(s.relation)
+                sentences.append(f"the wish {words!r}" if words else f"statement {s.number}, {s.relation.sentence()}")
+            tried.append((cost, "; ".join(text.rstrip(".") for text in sentences[:3])))
+        if not tried:
             return "the others: with everything else in place, no place was found where it holds"
-        return best[1] or "nothing that was found: more starts or another seed may meet it"
+        return min(tried, key=lambda t: t[0])[1] or "nothing that was found: more starts or another seed may meet it"
 
     def _places(self, statement: Statement) -> list[Layout]:
         """Return layouts in which the statement holds and one thing of it has moved."""
