@@ -5,6 +5,8 @@ from __future__ import annotations
 from typing import Any
 
 import robolayout as rl
+from robolayout.run.conflicts import conflicts
+from robolayout.scene import Layout, Pose
 
 SCENE: dict[str, Any] = {
     "task_description": "Two wardrobes.",
@@ -30,6 +32,13 @@ def test_a_wall_that_holds_only_one_of_two_names_the_other() -> None:
     assert result.report.figures["collision_free_share"] == 1.0, "hard demands win"
     assert any(f"it lost to {lost.lost_to}" in sentence for sentence in result.report.violations)
     assert result.report.to_dict()["statements"][lost.number - 1]["lost_to"] == lost.lost_to
+
+
+def test_what_meeting_a_statement_would_cost_is_named() -> None:
+    made = rl.generate(SCENE, program="solver.against_wall(wardrobe[0], walls[0])")
+    poses = {"wardrobe-0": Pose(2.0, 2.0, 1.05, 1.57), "wardrobe-1": Pose(2.0, 0.3, 1.05, 1.57)}
+    lost = conflicts(made.scene, made.reconciled, Layout(poses), {})
+    assert lost[1].startswith("wardrobe-0 and wardrobe-1 overlap")
 
 
 def test_what_the_filter_changed_is_put_down_to_the_filter() -> None:

@@ -7,7 +7,7 @@ breaks says what stands against it: a collision, a blocked way, another statemen
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -56,7 +56,7 @@ class _Looker:
     rng: np.random.Generator
 
     def __post_init__(self) -> None:
-        self.problem = compile_problem(self.scene, self.program, pinned=self.layout)
+        self.problem = replace(compile_problem(self.scene, self.program, pinned=self.layout), pinned=frozenset())
         self.proposals = Proposals(self.problem)
         self.now = self._standing(self.layout)
 
