@@ -214,6 +214,15 @@ def test_public_things_are_documented(path: Path) -> None:
     fail_on(path, list(undocumented(parse(path))))
 
 
+def test_each_class_name_stands_for_one_class() -> None:
+    named: dict[str, list[str]] = {}
+    for path in FILES:
+        for node in parse(path).body:
+            if isinstance(node, ast.ClassDef):
+                named.setdefault(node.name, []).append(str(path.relative_to(PACKAGE)))
+    assert {name: paths for name, paths in named.items() if len(paths) > 1} == {}
+
+
 def test_no_import_cycles() -> None:
     graph = {module_name(path): {i.module for i in imports_of(path) if not i.lazy} for path in FILES}
     found = cycle({name: {n for n in targets if n != name} for name, targets in graph.items()})

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 from robolayout.export import EXPORTERS, Options, export, export_all
-from robolayout.export._bodies import Thing, things
+from robolayout.export._bodies import BodyTree, things
 from robolayout.export._exporter import is_movable, mass
 from robolayout.export._mujoco import load
 from robolayout.export.mjcf import build
@@ -29,7 +29,7 @@ def folder(scene: Scene, layout: Layout, tmp_path_factory: pytest.TempPathFactor
     return found
 
 
-def described(scene: Scene, layout: Layout) -> dict[str, Thing]:
+def described(scene: Scene, layout: Layout) -> dict[str, BodyTree]:
     return {thing.name: thing for thing in things(scene, layout, Options())}
 
 

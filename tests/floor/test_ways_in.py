@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from robolayout._grid import components
-from robolayout.floor import Contents, make_ground, plan_routes
+from robolayout.floor import RoomContents, make_ground, plan_routes
 from robolayout.floor.cells import cells_of, entered, entries
 from robolayout.scene import Agent, Asset, Opening, Room, Scene
 
@@ -20,7 +20,7 @@ DISC = Agent("disc", radius=0.3, height=1.5, reach_distance=0.7)
 
 def ground_of(room: Room, agent: Agent = DISC):
     scene = Scene(room, (BOX,), agents=(agent,))
-    contents = Contents(scene, (-1,), np.array([0.4]), np.array([[0.45, 0.45]]))
+    contents = RoomContents(scene, (-1,), np.array([0.4]), np.array([[0.45, 0.45]]))
     return make_ground(contents, agent, 0.05)
 
 

@@ -16,7 +16,7 @@ from hypothesis import strategies as st
 from robolayout._grid import components
 from robolayout.assets import category_of
 from robolayout.assets.meshes import parts
-from robolayout.floor.ground import Obstacles, clearance, make_ground
+from robolayout.floor.ground import FloorObstacles, clearance, make_ground
 from robolayout.floor.routes import _rows as demand_rows
 from robolayout.scene import Agent, Asset, Layout, Opening, Pose, Room, Scene, load_agent
 from robolayout.solve import compile_problem
@@ -276,7 +276,7 @@ def grid(scene: Scene, layout: Layout, agent: Agent):
     return problem, ground, world, ground.obstacles
 
 
-def field_of(ground, world, things: Obstacles) -> np.ndarray:
+def field_of(ground, world, things: FloorObstacles) -> np.ndarray:
     return np.minimum(clearance(ground, world, things), ground.wall_distance)
 
 

@@ -18,7 +18,7 @@ from robolayout.render import PlanMarks, SheetNotes, draw_plan, draw_sheet
 from robolayout.render._drawing import Drawing, Shape, Text, text_width
 from robolayout.render._model_plan import _sheet
 from robolayout.render._style import FILM, PLAN
-from robolayout.render.animation import Stage
+from robolayout.render.animation import FrameSheet
 from robolayout.render.contents import swings
 from robolayout.render.palette import FLOOR, PAPER
 from robolayout.scene import DEFAULT_AGENT, Layout, Opening, Point, Room, Scene
@@ -78,7 +78,7 @@ def drawings(scene: Scene) -> dict[str, Drawing]:
         "plan": draw_plan(scene, layout, title="a room"),
         "sheet": draw_sheet(scene, layout, SheetNotes(), marks=marks, agent=DEFAULT_AGENT),
         "model": _sheet(scene, layout, marks, None),
-        "film": Stage(scene.room, FILM.foot).sheet,
+        "film": FrameSheet(scene.room, FILM.foot).sheet,
     }
 
 

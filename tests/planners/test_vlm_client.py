@@ -16,7 +16,7 @@ from vlm_server import Reply, Seen, png, serving
 from robolayout._errors import BudgetError, InputError, MissingExtraError, ModelError, ProgramError, UnknownNameError
 from robolayout.planners import Group, ModelPlanner, OfflinePlanner, PlanRequest
 from robolayout.planners.model.grouping import LEFT_OVER
-from robolayout.program import Limits, read_program
+from robolayout.program import ProgramLimits, read_program
 from robolayout.scene import Layout, Pose
 
 pytestmark = pytest.mark.usefixtures("ask_loopback")
@@ -263,7 +263,7 @@ def test_what_tries_to_escape_is_a_program_error(escape: str, tmp_path: Path) ->
     with serving(lambda *_: f"```python\n{escape}\n```") as server:
         text = planner(server.url, exchanges=tmp_path).plan(REQUEST)
     with pytest.raises(ProgramError):
-        read_program(text, SCENE, Limits(seconds=0.5))
+        read_program(text, SCENE, ProgramLimits(seconds=0.5))
     assert not Path("/tmp/robolayout_escaped").exists()
 
 

@@ -7,12 +7,12 @@ import sys
 import pytest
 
 from robolayout._errors import ProgramError, ProgramLimitError
-from robolayout.program import Limits, _sandbox, read_program
+from robolayout.program import ProgramLimits, _sandbox, read_program
 from robolayout.program._program import ReadingConfig
 from robolayout.scene import Asset, Scene
 
-QUICK = Limits(seconds=0.3, memory=64 * 2**20)
-PATIENT = Limits(seconds=120.0, memory=64 * 2**20)
+QUICK = ProgramLimits(seconds=0.3, memory=64 * 2**20)
+PATIENT = ProgramLimits(seconds=120.0, memory=64 * 2**20)
 """For programs that are stopped by a count or by their memory: on a busy machine that may take them many seconds."""
 
 LIMITED = {
@@ -82,7 +82,7 @@ def test_what_does_not_exist_is_refused_in_words(scene, text, answer):
 
 def test_flooding_the_output_keeps_a_bounded_part(scene):
     program = read_program("for i in range(100): print('x' * 10**5)\nsolver.corner(bed[0])", scene)
-    assert sum(map(len, program.notes)) <= Limits().printed
+    assert sum(map(len, program.notes)) <= ProgramLimits().printed
     assert len(program.statements) == 1
 
 
@@ -90,7 +90,7 @@ def test_our_process_neither_runs_nor_grows(scene, tmp_path):
     before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
     for text in ("x = 'x' * 10**10", "x = [0]\nwhile True: x = x + x", "while True: print('y' * 10**6)"):
         with pytest.raises(ProgramLimitError):
-            read_program(text, scene, Limits(seconds=0.5))
+            read_program(text, scene, ProgramLimits(seconds=0.5))
     grown = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - before
     assert grown < 30 * 1024, "KiB of our own memory"
 

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from robolayout._errors import ProgramError
-from robolayout.program import Limits, read_program, reconcile
+from robolayout.program import ProgramLimits, read_program, reconcile
 
 PAGE = Path("docs/program.md").read_text(encoding="utf-8")
 BLOCKS = re.findall(r"^```(\w+)\n(.*?)^```$", PAGE, re.MULTILINE | re.DOTALL)
@@ -40,10 +40,10 @@ def test_limits_on_the_page_are_the_real_ones():
     shown = {
         float(n.replace(",", "")) for n in re.findall(r"\| ([\d,]+)(?: s| MB| characters)? \|$", PAGE, re.MULTILINE)
     }
-    real = asdict(Limits()) | {"memory": Limits().memory / 2**20}
+    real = asdict(ProgramLimits()) | {"memory": ProgramLimits().memory / 2**20}
     real.pop("printed")
     assert shown == set(real.values())
-    assert f"first {Limits().printed:,} characters" in PAGE
+    assert f"first {ProgramLimits().printed:,} characters" in PAGE
 
 
 def test_the_interpreter_is_loaded_only_when_a_program_is_read():

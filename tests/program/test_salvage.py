@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from robolayout._errors import ProgramError, ProgramLimitError
-from robolayout.program import Limits, Program, read_program, read_salvaged
+from robolayout.program import Program, ProgramLimits, read_program, read_salvaged
 from robolayout.program._program import READING
 from robolayout.scene import Scene
 
@@ -79,7 +79,7 @@ def test_an_answer_that_is_wrong_everywhere_is_refused_with_its_first_error(scen
 
 def test_limits_are_not_salvaged(scene: Scene) -> None:
     with pytest.raises(ProgramLimitError, match="at most 100 are read"):
-        read_salvaged(GOOD * 10, scene, Limits(text=100))
+        read_salvaged(GOOD * 10, scene, ProgramLimits(text=100))
 
 
 @pytest.mark.parametrize(

@@ -16,7 +16,7 @@ from robolayout.program import read_program, reconcile
 from robolayout.run.verdict import make_judge
 from robolayout.scene import Asset, Layout, Opening, Pose, Room, Scene, load_agent, load_scene
 from robolayout.solve import Verdict, compile_problem
-from robolayout.solve.build.attempt import Attempt
+from robolayout.solve.build.attempt import BuildPass
 from robolayout.solve.build.cluster import Cluster
 from robolayout.verify import verify
 from robolayout.words import read_words
@@ -96,13 +96,13 @@ def test_a_long_chain_that_fits_nowhere_is_taken_apart_link_by_link(monkeypatch:
     scene, _ = scene_from_sentence("seven cabinets in a row, 3 x 3.5 m")
     asked = read_words(scene).demands
     program = reconcile(read_program(OfflinePlanner().plan(PlanRequest(scene, asked=asked)), scene), scene).program
-    placed, put = list[str](), Attempt._place  # pyright: ignore[reportPrivateUsage]
+    placed, put = list[str](), BuildPass._place  # pyright: ignore[reportPrivateUsage]
 
-    def counted(self: Attempt, cluster: Cluster, *more: Any) -> bool:
+    def counted(self: BuildPass, cluster: Cluster, *more: Any) -> bool:
         placed.append(cluster.anchor)
         return put(self, cluster, *more)
 
-    monkeypatch.setattr(Attempt, "_place", counted)
+    monkeypatch.setattr(BuildPass, "_place", counted)
     compile_problem(scene, program)
     assert placed.count("cabinet-6") <= placed.count("cabinet-0")  # had doubled from link to link
 

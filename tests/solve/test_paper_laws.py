@@ -18,7 +18,7 @@ from robolayout.solve import Verdict, compile_problem
 from robolayout.solve.paper.project import footprint, into_room, onto_carrier, outside, projected
 from robolayout.solve.paper.solver import (
     PAPER,
-    Evaluation,
+    LossAt,
     PaperConfig,
     PaperSolver,
     adam,
@@ -72,10 +72,10 @@ def test_clipping_shortens_and_keeps_the_direction(seed):
 )
 def test_the_ratio_decides_on_a_step_and_on_the_radius(gain, verdict):
     step, gradient = np.array([[0.1, 0.0, 0.0, 0.0]]), np.array([[-10.0, 0.0, 0.0, 0.0]])
-    before, after = Evaluation(5.0, gradient, np.zeros(3)), Evaluation(5.0 - gain, gradient, np.zeros(3))
+    before, after = LossAt(5.0, gradient, np.zeros(3)), LossAt(5.0 - gain, gradient, np.zeros(3))
     assert judged_step(before, after, step, 0.4) == verdict
     assert judged_step(before, after, -step, 0.4) == (False, 0.2)  # uphill is refused, whatever came of it
-    assert judged_step(before, Evaluation(0.0, gradient, np.zeros(3)), step, 1.0)[1] == PAPER.most_radius
+    assert judged_step(before, LossAt(0.0, gradient, np.zeros(3)), step, 1.0)[1] == PAPER.most_radius
 
 
 def test_adam_steps_by_its_rate_against_a_steady_gradient():

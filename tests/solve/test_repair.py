@@ -10,7 +10,7 @@ from robolayout.run.flow import solve
 from robolayout.scene import Asset, Pose
 from robolayout.solve import Problem
 from robolayout.solve.repair import MENDING, Repair
-from robolayout.solve.runner import Run, Runner
+from robolayout.solve.runner import Runner, SearchRun
 from robolayout.solve.stage import make_stage, stages
 from robolayout.verify import physics
 
@@ -67,7 +67,9 @@ def test_a_guess_is_polished_first_and_a_room_without_one_is_built(monkeypatch: 
     seen: list[str] = []
     real = Runner.advance
 
-    def advance(self: Runner, stage: object, poses: np.ndarray, phase: object, label: str, **options: object) -> Run:
+    def advance(
+        self: Runner, stage: object, poses: np.ndarray, phase: object, label: str, **options: object
+    ) -> SearchRun:
         seen.append(label)
         return real(self, stage, poses, phase, label, **options)  # type: ignore[arg-type]
 

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from robolayout._text import utf8
 from robolayout.assets.fronts import doors, drawers
-from robolayout.assets.palette import Piece, material_of
+from robolayout.assets.palette import Brief, material_of
 from robolayout.assets.part import Material, Part
 from robolayout.assets.shapes import ball, box, cylinder, prism, soft, spun
 
@@ -52,7 +52,7 @@ Test = tuple[tuple[tuple[frozenset[int], int], ...], tuple[tuple[int, str], ...]
 
 
 @dataclass(frozen=True)
-class Row:
+class PartRow:
     """One part, or several alike."""
 
     name: str  # name of the part
@@ -102,14 +102,14 @@ class Row:
 
 
 @dataclass(frozen=True, eq=False)
-class Drawing:
+class PartDrawing:
     """The rows of a record, read."""
 
     lets: Mapping[str, ast.expr]  # what each `let` computes, by its name, from what is known before it
     matrix: NDArray[np.float64]  # (values, basis and lets): every value of every row
-    rows: tuple[Row, ...]
+    rows: tuple[PartRow, ...]
 
-    def __call__(self, p: Piece) -> Iterator[Part]:
+    def __call__(self, p: Brief) -> Iterator[Part]:
         """Yield the parts of a piece."""
         known: dict[str, float] = dict(zip(BASIS, (1.0, 1.0, p.d, p.w, p.h), strict=True))
         for name, expression in self.lets.items():
@@ -163,7 +163,7 @@ def _mirrored(place: Place, axis: str) -> Place:
     return out
 
 
-def _made(p: Piece, row: Row, material: Material, place: Place) -> Iterable[Part]:
+def _made(p: Brief, row: PartRow, material: Material, place: Place) -> Iterable[Part]:
     if row.shape in FRONTS:
         (y0, y1), (z0, z1) = place["y"], place["z"]
         numbers = {key: round(place[key][0]) for key in ("count", "low", "rows", "columns", "knobs") if key in place}
@@ -177,7 +177,7 @@ def _made(p: Piece, row: Row, material: Material, place: Place) -> Iterable[Part
     return [spun(part, math.radians(place["turn"][0])) if "turn" in place else part]
 
 
-def _one(row: Row, material: Material, place: Place) -> Part:
+def _one(row: PartRow, material: Material, place: Place) -> Part:
     """Return the part of one place, as it stands before it leans or is spun."""
     options: dict[str, Any] = {key: place[key][0] for key in ("bevel", "rings", "sides") if key in place}
     options |= {"top": place["top"]} if "top" in place else {}

@@ -40,7 +40,7 @@ _CHECK = Checker(AssetError)
 
 
 @dataclass(frozen=True)
-class Guess:
+class FileGuess:
     """What the words around a mesh file say."""
 
     text: str  # its category in words
@@ -156,7 +156,7 @@ def _entry(
     }
 
 
-def _corrected(guess: Guess, said: Mapping[str, Any], where: str) -> Guess:
+def _corrected(guess: FileGuess, said: Mapping[str, Any], where: str) -> FileGuess:
     """Return a guess with what the user says instead."""
     known = ("category", "description", "unit", "up", "front", "size", *FLAGS)
     for key in said:
@@ -172,10 +172,10 @@ def _corrected(guess: Guess, said: Mapping[str, Any], where: str) -> Guess:
         _CHECK.number(edge, f"{where}: size", above=0.0, most=LIMITS.largest_side)
     units = {key: said.get(key) or getattr(guess, key) for key in ("unit", "up", "front")}
     own = guess.size if edges is None else (edges[0], edges[1], edges[2])
-    return Guess(text or guess.text, words or guess.description, {**guess.flags, **flags}, own, **units)
+    return FileGuess(text or guess.text, words or guess.description, {**guess.flags, **flags}, own, **units)
 
 
-def _completed(guess: Guess, path: Path, pieces: Sequence[Part], category: Category) -> Guess:
+def _completed(guess: FileGuess, path: Path, pieces: Sequence[Part], category: Category) -> FileGuess:
     """Return in which unit and axes a mesh is drawn: as is said, else as the format has it unless the shape says otherwise."""
     edges, standard = extent(pieces), ("+y", "+z") if path.suffix.lower() == ".glb" else None
     unit, unit_sure = (guess.unit, 1.0) if guess.unit else ("m", 1.0) if guess.size else _unit(edges, category)
@@ -215,7 +215,7 @@ def _unit(edges: Size, category: Category) -> tuple[str, float]:
     return best, round(1.0 - misfits[best] / CLEARLY, 2)
 
 
-def _guess(path: Path) -> Guess:
+def _guess(path: Path) -> FileGuess:
     """Collect the words about a mesh: objathor's data.json, a JSON file beside it, else its file and folder names."""
     beside = path.with_name("data.json")
     if os.path.isfile(beside) and path.stem == path.parent.name:
@@ -223,9 +223,9 @@ def _guess(path: Path) -> Guess:
     words = _words(path.stem) or _words(path.parent.name)
     sidecar = path.with_suffix(".json")
     if not os.path.isfile(sidecar):
-        return Guess(words or "asset", words, {})
+        return FileGuess(words or "asset", words, {})
     category, description, flags = _said(_json(sidecar), sidecar.name)
-    return Guess(category or words or "asset", description or words, flags)
+    return FileGuess(category or words or "asset", description or words, flags)
 
 
 def _said(data: Mapping[str, object], where: str) -> tuple[str, str, dict[str, bool]]:
@@ -250,7 +250,7 @@ def _json(path: Path) -> Mapping[str, Any]:
     return _CHECK.mapping(read, what)
 
 
-def _objathor(path: Path, data: Mapping[str, Any]) -> Guess:
+def _objathor(path: Path, data: Mapping[str, Any]) -> FileGuess:
     """Read LayoutVLM's and objathor's metadata; there bounding-box x is the width and y the depth.
 
     Where `frontView` says that the front is a quarter turn away, width and depth change places.
@@ -266,4 +266,4 @@ def _objathor(path: Path, data: Mapping[str, Any]) -> Guess:
     size = (along, across, height) if view[1] == "z" else (across, along, height)
     _CHECK.required(notes, "category", f"{where}: annotations")
     text, words, flags = _said(notes, f"{where}: annotations")
-    return Guess(text, words, flags, size, up="+y", front=view)
+    return FileGuess(text, words, flags, size, up="+y", front=view)

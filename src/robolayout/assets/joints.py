@@ -61,7 +61,7 @@ Vector = NDArray[np.float64]
 
 
 @dataclass(frozen=True)
-class Rule:
+class JointRule:
     """One row: what moves how."""
 
     names: tuple[str, ...]  # names of parts; the first leads
@@ -74,14 +74,14 @@ class Rule:
 
 
 @lru_cache(maxsize=512)
-def read_joints(text: str, where: str) -> tuple[Rule, ...]:
+def read_joints(text: str, where: str) -> tuple[JointRule, ...]:
     """Read a record's `joints` (empty: what is usual); `where` says whose they are, for messages."""
     if text.strip() == NOTHING:
         return ()
     return tuple(_rule(line.strip(), where) for line in (text.strip() or USUAL).splitlines())
 
 
-def _rule(line: str, where: str) -> Rule:
+def _rule(line: str, where: str) -> JointRule:
     names, _, rest = line.partition(": ")
     kind, axis, *words = [*rest.split(), "", ""][: max(2, len(rest.split()))]
     together = "together" in words
@@ -101,10 +101,12 @@ def _rule(line: str, where: str) -> Rule:
     assert match is not None
     span = ((float(match[1] or 0), match[2] or match[4]), (float(match[3]), match[4]))
     sign = -1.0 if axis.startswith("-") else 1.0
-    return Rule(tuple(names.split("+")), kind, "xyz".index(axis[-1]), sign, tuple(edges), span, together)
+    return JointRule(tuple(names.split("+")), kind, "xyz".index(axis[-1]), sign, tuple(edges), span, together)
 
 
-def jointed(built: tuple[Part, ...], rules: tuple[Rule, ...], size: tuple[float, float, float]) -> tuple[Part, ...]:
+def jointed(
+    built: tuple[Part, ...], rules: tuple[JointRule, ...], size: tuple[float, float, float]
+) -> tuple[Part, ...]:
     """Return parts that know with what joint they move."""
     out = list(built)
     for rule, group in _groups(built, rules):
@@ -119,7 +121,7 @@ def jointed(built: tuple[Part, ...], rules: tuple[Rule, ...], size: tuple[float,
     return tuple(replace(part, joint=names.get(id(part.joint))) for part in out)
 
 
-def _groups(built: Sequence[Part], rules: Sequence[Rule]) -> Iterator[tuple[Rule, list[int]]]:
+def _groups(built: Sequence[Part], rules: Sequence[JointRule]) -> Iterator[tuple[JointRule, list[int]]]:
     """Yield which parts move together, the leader first."""
     leaders = [(r, [i]) for r in rules if not r.together for i, p in enumerate(built) if p.name == r.names[0]]
     taken = {group[0] for _, group in leaders}
@@ -141,7 +143,7 @@ def _groups(built: Sequence[Part], rules: Sequence[Rule]) -> Iterator[tuple[Rule
             yield rule, found
 
 
-def _joint(rule: Rule, group: Sequence[Part], size: tuple[float, float, float]) -> Joint:
+def _joint(rule: JointRule, group: Sequence[Part], size: tuple[float, float, float]) -> Joint:
     """Return how some parts move; a hinge opens towards the front or upwards."""
     points = np.concatenate([part.vertices for part in (group if rule.together else group[:1])])
     ends = np.stack([points.min(axis=0), points.max(axis=0)])

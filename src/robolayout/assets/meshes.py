@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from robolayout.assets.category import CATALOGUE, Category
-from robolayout.assets.drawing import Drawing
+from robolayout.assets.drawing import PartDrawing
 from robolayout.assets.fronts import hollowed
-from robolayout.assets.joints import Rule, jointed, read_joints
+from robolayout.assets.joints import JointRule, jointed, read_joints
 from robolayout.assets.lexicon import category_of
 from robolayout.assets.palette import make_piece
 from robolayout.assets.part import Part, fit
@@ -35,7 +35,7 @@ def parts(asset: Asset, seed: int = 0, *, shut: bool = False) -> tuple[Part, ...
     return tuple(part for part in made if part.name not in asset.without) if asset.without else made
 
 
-def joints_of(category: Category) -> tuple[Rule, ...]:
+def joints_of(category: Category) -> tuple[JointRule, ...]:
     """Return how parts of a category move: what its record says, or that which it is drawn alike."""
     alike = CATALOGUE.get(category.parts) or CATALOGUE.get(category.like)
     if not category.joints and alike is not None:
@@ -43,7 +43,7 @@ def joints_of(category: Category) -> tuple[Rule, ...]:
     return read_joints(category.joints, f"{category.name!r} in group {category.group!r}")
 
 
-def builder_for(category: Category) -> Drawing:
+def builder_for(category: Category) -> PartDrawing:
     """Return what draws a category: the rows of its record, or of the record that it names or is like."""
     alike = CATALOGUE.get(category.parts or category.like)
     if alike is not None:

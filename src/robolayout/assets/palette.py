@@ -70,7 +70,7 @@ GROUPS: Mapping[str, tuple[str, ...]] = {name: tuple(names) for name, names in _
 
 
 @dataclass(frozen=True)
-class Piece:
+class Brief:
     """What a builder needs: the box to fill and the materials chosen for it."""
 
     d: float  # depth (x) in metres
@@ -85,7 +85,7 @@ class Piece:
     key: str  # text that seeds what differs between two assets of one list (books on shelves)
 
 
-CHOSEN: Mapping[str, Callable[[Piece], Material]] = {
+CHOSEN: Mapping[str, Callable[[Brief], Material]] = {
     "wood": lambda p: p.palette.wood,
     "dark": lambda p: p.palette.wood_dark,
     "front": lambda p: p.palette.front,
@@ -99,14 +99,14 @@ CHOSEN: Mapping[str, Callable[[Piece], Material]] = {
 MATERIALS = (*PLAIN, *CHOSEN)  # everything that rows may name
 
 
-def material_of(name: str, p: Piece) -> Material:
+def material_of(name: str, p: Brief) -> Material:
     """Return the material of that name for a piece."""
     return CHOSEN[name](p) if name in CHOSEN else PLAIN[name]
 
 
 def make_piece(
     kind: str, variable: str, name: str, size: tuple[float, float, float], seed: int, look: str = ""
-) -> Piece:
+) -> Brief:
     """Choose materials: as its look (words of `LOOKS`) says, else the palette by seed, the rest by the asset's list: chairs match."""
     rng = random.Random(utf8(f"{seed}/{variable}"))
     said = [word.strip() for word in look.split(",")]
@@ -120,4 +120,4 @@ def make_piece(
         soft = kind.endswith("bed") or (kind in CATALOGUE and CATALOGUE[kind].group in SOFT)
         palette = palette if soft or wood is not None else replace(palette, wood=color, front=color)
         cloth, accent, bedding = (replace(m, name=color.name, color=color.color) for m in (cloth, accent, bedding))
-    return Piece(*size, palette, cloth, accent, bedding, kind, rng.randrange(12), f"{seed}/{name}")
+    return Brief(*size, palette, cloth, accent, bedding, kind, rng.randrange(12), f"{seed}/{name}")

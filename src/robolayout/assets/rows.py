@@ -21,7 +21,7 @@ from typing import NoReturn
 import numpy as np
 
 from robolayout._errors import AssetError
-from robolayout.assets.drawing import BASIS, CALLS, CROSS, RELATIONS, SUMS, VARIED, Drawing, Repeat, Row, Test
+from robolayout.assets.drawing import BASIS, CALLS, CROSS, RELATIONS, SUMS, VARIED, PartDrawing, PartRow, Repeat, Test
 from robolayout.assets.palette import GROUPS, MATERIALS, make_piece
 
 LENGTHS = {"x": 2, "y": 3, "z": 4}  # where in `BASIS` the length along an axis stands
@@ -46,16 +46,16 @@ Value = list[float]  # factors of the basis and of the lets
 
 
 @lru_cache(maxsize=512)
-def read_rows(text: str, where: str) -> Drawing:
+def read_rows(text: str, where: str) -> PartDrawing:
     """Read the rows of a record; `where` says whose they are, for messages."""
-    reading = _Reading(where)
+    reading = _RowReading(where)
     lines = [line for raw in text.splitlines() if (line := raw.split("#")[0].strip())]
     for line in (line for line in lines if line.startswith("let ")):
         reading.let(line)
     rows = tuple(reading.row(line) for line in lines if not line.startswith("let "))
     if not rows:
         reading.refuse("there is no row", "write one such as 'top: box wood x 0:1 y 0:1 z 0:1'")
-    return Drawing(reading.lets, np.array(reading.values), rows)
+    return PartDrawing(reading.lets, np.array(reading.values), rows)
 
 
 def check_rows(text: str, where: str, size: tuple[float, float, float]) -> None:
@@ -71,7 +71,7 @@ def check_rows(text: str, where: str, size: tuple[float, float, float]) -> None:
                                  f"{edge:g} m; keep it between 0 and 1.")  # fmt: skip
 
 
-class _Reading:
+class _RowReading:
     """Reads rows one after the other and collects their values."""
 
     def __init__(self, where: str) -> None:
@@ -116,7 +116,7 @@ class _Reading:
         kinds = ast.Constant | ast.Call | ast.IfExp | ast.operator | ast.cmpop | ast.expr_context
         return isinstance(node, kinds)
 
-    def row(self, line: str) -> Row:
+    def row(self, line: str) -> PartRow:
         """Read a row."""
         self.part, _, rest = (item.strip() for item in line.partition(": "))
         words = rest.split()
@@ -143,7 +143,7 @@ class _Reading:
                 tests += [self._test(clauses) for clauses in rest_of[0].split("|")]
             else:
                 self.refuse(f"{' '.join([word, *rest_of])!r} cannot be read", HOW)
-        return Row(self.part, shape, materials, fields, tuple(repeats), mirror, vary, tuple(tests))
+        return PartRow(self.part, shape, materials, fields, tuple(repeats), mirror, vary, tuple(tests))
 
     def _among(self, kind: str, names: Iterable[str], known: Iterable[str]) -> None:
         for name in names:

@@ -124,7 +124,7 @@ Side = Annotated[Path, Argument(help="A run's folder, or a layout file (with --s
 def diff(  # noqa: PLR0913 - one parameter per option
     before: Side,
     after: Side,
-    body: options.Body,
+    body: options.ForBody,
     told: options.Told,
     scene: Annotated[str | None, Option(help="The scene of both layouts; else each folder's own.")] = None,
     program: options.ProgramOption = None,
@@ -171,7 +171,7 @@ def compare(  # noqa: PLR0913 - one parameter per option
     from robolayout.run.outputs import comparison
 
     suffix = options.ending(out, "a comparison", (".png", ".svg"))
-    given = options.Body(agent=agents, asset_dir=asset_dir).read(scene, quiet=quiet)
+    given = options.ForBody(agent=agents, asset_dir=asset_dir).read(scene, quiet=quiet)
     with progress(quiet) as tell:
         planner = OfflinePlanner(knowledge or ())
         results = flow.compare(given, given.agents, planner=planner, seed=seed, progress=tell)

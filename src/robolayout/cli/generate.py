@@ -93,7 +93,7 @@ class Who:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Asked(options.Body, Who, options.Told):
+class Call(options.ForBody, Who, options.Told):
     """What is asked of one call: what to lay out, how to look for it, what to write, and where."""
 
     scene: Annotated[str, Argument(metavar="SCENE", help="A scene file (JSON), or one sentence in quotes.")]
@@ -121,7 +121,7 @@ class Asked(options.Body, Who, options.Told):
 
 
 @options.spread
-def generate(asked: Asked) -> None:
+def generate(asked: Call) -> None:
     """Lay out a scene, verify it, and write layout, report, pictures and GLB."""
     from robolayout.run.given import names_a_file
 
@@ -142,7 +142,7 @@ def generate(asked: Asked) -> None:
     raise typer.Exit(0 if met else 1)
 
 
-def _different(asked: Asked, given: Scene | None, run: RunFolder, variant: int, before: list[Plan]) -> Result:
+def _different(asked: Call, given: Scene | None, run: RunFolder, variant: int, before: list[Plan]) -> Result:
     """Return a room that is not much like the variants before it: of a few draws the first one, else the most different."""
     from robolayout.many.variety import VARIETY, Plan, nearest, things
 
@@ -171,7 +171,7 @@ def _different(asked: Asked, given: Scene | None, run: RunFolder, variant: int, 
     return result
 
 
-def _check(asked: Asked) -> None:
+def _check(asked: Call) -> None:
     """Refuse what is unknown or missing before any work, and read the user's constraints."""
     from robolayout.export import find_exporter, simulator
     from robolayout.scene import check_dress
@@ -202,7 +202,7 @@ def _output(folder: Path) -> Generator[RunFolder]:
             warn(f"the answers so far are in {run.answers}.")
 
 
-def _furnished(asked: Asked, planner: Planner, variant: int) -> tuple[Scene, Understanding]:
+def _furnished(asked: Call, planner: Planner, variant: int) -> tuple[Scene, Understanding]:
     """Return the scene of a sentence, and what was understood: by the model that plans, else by rules."""
     from robolayout.run.given import furnished
 
@@ -218,7 +218,7 @@ def _furnished(asked: Asked, planner: Planner, variant: int) -> tuple[Scene, Und
     return asked.of(scene), understood
 
 
-def _laid_out(asked: Asked, room: Scene, planner: Planner, seed: int) -> Result:
+def _laid_out(asked: Call, room: Scene, planner: Planner, seed: int) -> Result:
     """Lay one room out."""
     from robolayout.run.flow import generate as arrange
     from robolayout.solve import SolverConfig
@@ -242,7 +242,7 @@ def _laid_out(asked: Asked, room: Scene, planner: Planner, seed: int) -> Result:
         )
 
 
-def _written(asked: Asked, result: Result, run: RunFolder, tell: Callable[[str], None]) -> tuple[Result, list[Path]]:
+def _written(asked: Call, result: Result, run: RunFolder, tell: Callable[[str], None]) -> tuple[Result, list[Path]]:
     """Write the files of a run, after asking gravity if so wished, and walk.gif; return the run and the files."""
     from robolayout.run.outputs import write_files
 
@@ -268,7 +268,7 @@ def _written(asked: Asked, result: Result, run: RunFolder, tell: Callable[[str],
     return result, files
 
 
-def _tell(asked: Asked, result: Result, run: RunFolder, files: list[Path]) -> None:
+def _tell(asked: Call, result: Result, run: RunFolder, files: list[Path]) -> None:
     """Say what came of one room."""
     who = result.report.planner
     for warning in who.get("warnings", ()):

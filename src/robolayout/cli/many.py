@@ -13,7 +13,7 @@ from typer import Argument, Option
 
 from robolayout._errors import InputError
 from robolayout._text import TOLD
-from robolayout.cli.options import Body, Told, names, spread
+from robolayout.cli.options import ForBody, Told, names, spread
 from robolayout.cli.terminal import bulleted, say, table, warn
 
 if TYPE_CHECKING:
@@ -88,7 +88,7 @@ def _lines(tell: Callable[[str], None], *, quiet: bool) -> Callable[[Progress], 
 @spread
 def evaluate(  # noqa: PLR0913 - one parameter per option
     folder: Annotated[Path, Argument(help="A folder of rooms: runs, a batch, scenes with layouts, scene states.")],
-    body: Body,
+    body: ForBody,
     told: Told,
     against: Annotated[Path | None, Option(help="Another folder, paired with it by name.")] = None,
     by: Annotated[str, Option(help="Group by what a batch drew, such as solver,reach.")] = "",

@@ -82,7 +82,7 @@ class Told:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Body:
+class ForBody:
     """For whom a scene is read, and from where."""
 
     agent: Annotated[str | None, Option(help="Body or bodies: names or files, separated by commas.")] = None
@@ -115,7 +115,7 @@ class Body:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Laid(Body):
+class Laid(ForBody):
     """A scene with its layout."""
 
     scene: SceneArgument

@@ -13,7 +13,6 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
-from scipy.spatial.transform import Rotation
 
 from robolayout.assets import Joint, Material, Part, category_of, prisms_of, room_parts, turned
 from robolayout.assets.mass import part_masses
@@ -27,7 +26,7 @@ from robolayout.export._exporter import (
     mass,
     placed,
 )
-from robolayout.export._mesh import Box, FloatArray, as_box, numbers, obj, volume
+from robolayout.export._mesh import Box, FloatArray, as_box, numbers, obj, roll_pitch_yaw, volume
 from robolayout.export._rugs import laid_parts
 from robolayout.scene import Asset, Layout, Pose, Scene, vertical_span
 
@@ -59,7 +58,7 @@ Free = Callable[[Asset, Scene, Layout], bool]  # says whether an asset may move 
 
 
 @dataclass(frozen=True, eq=False)
-class Shape:
+class BodyShape:
     """One part as a simulator knows it."""
 
     name: str  # unique in its thing ("leg/3")
@@ -90,7 +89,7 @@ class Shape:
             return "0 0 0", "0 0 0", ""
         return (
             numbers(self.box.center.tolist()),
-            numbers(Rotation.from_matrix(self.box.rotation).as_euler("xyz")),
+            numbers(roll_pitch_yaw(self.box.rotation)),
             numbers((2 * self.box.half).tolist()),
         )
 
@@ -109,10 +108,10 @@ class Shape:
 
 
 @dataclass(frozen=True, eq=False)
-class Link:
+class BodyLink:
     """What of a thing moves as one."""
 
-    shapes: tuple[Shape, ...]  # what it is made of
+    shapes: tuple[BodyShape, ...]  # what it is made of
     joint: Joint | None = None  # with what it moves against the thing's first link; None for that one
 
     @property
@@ -133,12 +132,12 @@ class Link:
 
 
 @dataclass(frozen=True, eq=False)
-class Thing:
+class BodyTree:
     """The room or an asset."""
 
     name: str  # that of the asset, or one for the room
     pose: Pose  # where its frame is
-    links: tuple[Link, ...]  # what of it stays, then what moves
+    links: tuple[BodyLink, ...]  # what of it stays, then what moves
     friction: float = BODIES.floor_friction  # coefficient of all that it touches with
     free: bool = False  # whether it may move as a whole; else it is welded to the world
     asset: Asset | None = None  # None for the room
@@ -164,7 +163,7 @@ class Thing:
         return {s.mesh: s.data for link in self.links for s in link.shapes if s.box is None and s.kinds}
 
 
-def things(scene: Scene, layout: Layout, options: Options, *, free: Free | None = is_movable) -> Iterator[Thing]:
+def things(scene: Scene, layout: Layout, options: Options, *, free: Free | None = is_movable) -> Iterator[BodyTree]:
     """Yield the room, its doors as the options say, and every placed asset in order; where `free` is None nothing moves, doors neither."""
     shown = [
         part for part in room_parts(scene.room, seed=options.seed) if np.ptp(part.vertices[:, 2]) > BODIES.thinnest
@@ -178,8 +177,8 @@ def things(scene: Scene, layout: Layout, options: Options, *, free: Free | None 
     leaves = (replace(s, mass=BODIES.leaf_mass * volume(s.part)) if s.part.joint is not None else s for s in shapes)
     x0, y0, x1, y1 = scene.room.bounds  # what everything stands on is a slab under the whole room, its top at zero
     low, high = (x0 - BODIES.slab, y0 - BODIES.slab, -BODIES.slab), (x1 + BODIES.slab, y1 + BODIES.slab, 0.0)
-    ground = Shape("floor", shown[0], _around(np.array(low), np.array(high)), seen=False)
-    yield Thing(free_name("room", scene), Pose(0.0, 0.0, 0.0, 0.0), _links((ground, *leaves)))
+    ground = BodyShape("floor", shown[0], _around(np.array(low), np.array(high)), seen=False)
+    yield BodyTree(free_name("room", scene), Pose(0.0, 0.0, 0.0, 0.0), _links((ground, *leaves)))
     for asset, pose in placed(scene, layout):
         pieces = tuple(
             _footed(part, -asset.size[2] / 2) for part in laid_parts(asset, scene, layout, seed=options.seed)
@@ -194,13 +193,13 @@ def things(scene: Scene, layout: Layout, options: Options, *, free: Free | None 
         ]
         if asset.is_flat:
             patches = enumerate(_patches(asset, scene, layout))
-            shapes += [Shape(f"patch/{number}", pieces[0], box, seen=False) for number, box in patches]
+            shapes += [BodyShape(f"patch/{number}", pieces[0], box, seen=False) for number, box in patches]
         elif not all(part.convex for part in pieces):
             solids = enumerate(_solids(asset), len(pieces))
             shapes += [replace(_shape(number, solid, touched=True), seen=False) for number, solid in solids]
         friction = category_of(asset).friction
         loose = free is not None and free(asset, scene, layout)
-        yield Thing(asset.name, pose, _links(shapes), friction, loose, asset)
+        yield BodyTree(asset.name, pose, _links(shapes), friction, loose, asset)
 
 
 def _solids(asset: Asset) -> Iterator[Part]:
@@ -211,22 +210,22 @@ def _solids(asset: Asset) -> Iterator[Part]:
         yield prism("solid", material, [*dict.fromkeys(shape.outline)], span)
 
 
-def _links(shapes: Sequence[Shape]) -> tuple[Link, ...]:
+def _links(shapes: Sequence[BodyShape]) -> tuple[BodyLink, ...]:
     """Return shapes sorted into what stays and what moves, each in the frame of its joint."""
-    links = [Link(tuple(shape for shape in shapes if shape.part.joint is None))]
+    links = [BodyLink(tuple(shape for shape in shapes if shape.part.joint is None))]
     for joint in dict.fromkeys(shape.part.joint for shape in shapes):
         if joint is not None:
-            links.append(Link(tuple(_moved(s, np.array(joint.at)) for s in shapes if s.part.joint == joint), joint))
+            links.append(BodyLink(tuple(_moved(s, np.array(joint.at)) for s in shapes if s.part.joint == joint), joint))
     return tuple(links)
 
 
-def _moved(shape: Shape, at: FloatArray) -> Shape:
+def _moved(shape: BodyShape, at: FloatArray) -> BodyShape:
     """Return a shape in a frame at some place."""
     box = None if shape.box is None else replace(shape.box, center=shape.box.center - at)
     return replace(shape, part=replace(shape.part, vertices=shape.part.vertices - at), box=box)
 
 
-def _shape(number: int, part: Part, *, touched: bool) -> Shape:
+def _shape(number: int, part: Part, *, touched: bool) -> BodyShape:
     """Return a part as a box if it is one or is too thin for a hull, else as its hull."""
     box = as_box(part)
     if box is None and (
@@ -235,7 +234,7 @@ def _shape(number: int, part: Part, *, touched: bool) -> Shape:
         box = _around(part.vertices.min(axis=0), part.vertices.max(axis=0))
     if box is not None:
         box = replace(box, half=np.maximum(box.half, BODIES.thinnest))
-    return Shape(f"{part.name}/{number}", part, box, touched=touched)
+    return BodyShape(f"{part.name}/{number}", part, box, touched=touched)
 
 
 def _around(low: FloatArray, high: FloatArray) -> Box:

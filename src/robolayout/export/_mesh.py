@@ -8,7 +8,6 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.spatial.transform import Rotation
 
 from robolayout import _color
 from robolayout.assets import Material, Part
@@ -23,7 +22,7 @@ IntArray = NDArray[np.int64]
 
 
 @dataclass(frozen=True, eq=False)
-class Surface:
+class DrawnSurface:
     """Triangles of one material, ready to be drawn."""
 
     positions: FloatArray  # (n, 3) metres
@@ -41,7 +40,7 @@ class Box:
     rotation: FloatArray  # (3, 3) whose columns are its axes; right-handed
 
 
-def welded(part: Part) -> Surface:
+def welded(part: Part) -> DrawnSurface:
     """Return a part's triangles with equal corners joined; normals are (3 m, 3), one for each corner of each face."""
     positions, inverse = _unique_rows(np.asarray(part.vertices, np.float64))
     faces = inverse[np.asarray(part.faces, np.int64)]
@@ -50,16 +49,16 @@ def welded(part: Part) -> Surface:
     keep = area > SMALLEST_FACE
     faces, units = faces[keep], cross[keep] / (2 * area[keep, None])
     uvs = coordinates(part)[keep].reshape(-1, 2).astype(np.float64)
-    return Surface(positions, _corner_normals(positions, faces, units), faces, uvs)
+    return DrawnSurface(positions, _corner_normals(positions, faces, units), faces, uvs)
 
 
-def surface(part: Part) -> Surface:
+def surface(part: Part) -> DrawnSurface:
     """Return a part's triangles with one normal for each vertex; vertices on sharp edges are repeated."""
     shape = welded(part)
     rows = np.hstack([shape.positions[shape.indices.reshape(-1)], shape.normals, shape.uvs])
     corners, indices = _unique_rows(np.round(rows, 9))
     lengths = np.linalg.norm(corners[:, 3:6], axis=1, keepdims=True)
-    return Surface(corners[:, :3], corners[:, 3:6] / lengths, indices.reshape(-1, 3), corners[:, 6:])
+    return DrawnSurface(corners[:, :3], corners[:, 3:6] / lengths, indices.reshape(-1, 3), corners[:, 6:])
 
 
 def _unique_rows(rows: FloatArray) -> tuple[FloatArray, IntArray]:
@@ -90,7 +89,7 @@ def _corner_normals(positions: FloatArray, faces: IntArray, units: FloatArray) -
     return np.where(length > SMALLEST_FACE, total / np.maximum(length, SMALLEST_FACE), units[owner])
 
 
-def merged(parts: tuple[Part, ...]) -> tuple[tuple[Material, bool, Surface], ...]:
+def merged(parts: tuple[Part, ...]) -> tuple[tuple[Material, bool, DrawnSurface], ...]:
     """Return one surface per material, in order of appearance, and whether all its parts are closed and convex."""
     groups: dict[Material, list[Part]] = {}
     for part in parts:
@@ -101,9 +100,9 @@ def merged(parts: tuple[Part, ...]) -> tuple[tuple[Material, bool, Surface], ...
     )
 
 
-def _joined(surfaces: list[Surface]) -> Surface:
+def _joined(surfaces: list[DrawnSurface]) -> DrawnSurface:
     offsets = np.cumsum([0] + [len(s.positions) for s in surfaces[:-1]])
-    return Surface(
+    return DrawnSurface(
         np.vstack([s.positions for s in surfaces]),
         np.vstack([s.normals for s in surfaces]),
         np.vstack([s.indices + offset for s, offset in zip(surfaces, offsets, strict=True)]),
@@ -157,6 +156,8 @@ def _upright(box: Box) -> Box:
 
 def quaternion(rotation: FloatArray) -> tuple[float, float, float, float]:
     """Return (w, x, y, z) of a rotation matrix, with w >= 0."""
+    from scipy.spatial.transform import Rotation
+
     x, y, z, w = (Rotation.from_matrix(rotation).as_quat(canonical=True) + 0.0).tolist()
     return (w, x, y, z)
 
@@ -185,6 +186,13 @@ def volume(part: Part) -> float:
 def numbers(values: Iterable[float]) -> str:
     """Return numbers with nine digits, separated by blanks."""
     return " ".join(f"{value + 0.0:.9g}" for value in values)
+
+
+def roll_pitch_yaw(rotation: FloatArray) -> FloatArray:
+    """Return roll, pitch and yaw in radians of a rotation matrix (turned about the fixed x, then y, then z)."""
+    from scipy.spatial.transform import Rotation
+
+    return Rotation.from_matrix(rotation).as_euler("xyz")
 
 
 def obj(vertices: FloatArray, faces: NDArray[np.int32]) -> bytes:

@@ -22,9 +22,9 @@ from pxr import Gf, Kind, Sdf, Tf, Usd, UsdGeom, UsdLux, UsdPhysics, UsdSemantic
 from robolayout._text import xml
 from robolayout.assets import Joint, Material, Part, category_of
 from robolayout.assets.textures import media_type, picture
-from robolayout.export._bodies import BODIES, Link, Thing, things
+from robolayout.export._bodies import BODIES, BodyLink, BodyTree, things
 from robolayout.export._exporter import Options, Rows, unique
-from robolayout.export._mesh import FloatArray, Surface, base_color, linear, quaternion, welded
+from robolayout.export._mesh import DrawnSurface, FloatArray, base_color, linear, quaternion, welded
 from robolayout.export._scenery import SCENERY, lamp, overview
 from robolayout.scene import Asset, Layout, Pose, Room, Scene
 
@@ -94,7 +94,7 @@ def _stage(root: str, kind: str) -> Any:
     return stage
 
 
-def _payload(stage: Any, path: str, thing: Thing, files: dict[str, bytes]) -> Any:
+def _payload(stage: Any, path: str, thing: BodyTree, files: dict[str, bytes]) -> Any:
     """Return a new prim whose content is the layer of a kind, which joins the files, with its bounds while that is not loaded."""
     file = f"things/{thing.kind}.usdc"
     if file not in files:
@@ -120,7 +120,7 @@ class _KindLayer:
     (none in another), its shape an instance within the file, and the thing an articulation; what nobody can move is fixed to its place.
     """
 
-    def __init__(self, thing: Thing, files: dict[str, bytes]) -> None:
+    def __init__(self, thing: BodyTree, files: dict[str, bytes]) -> None:
         self.thing = thing
         self.files = files
         self.stage = _stage(THING, Kind.Tokens.component)
@@ -162,7 +162,7 @@ class _KindLayer:
                 self.joint(link.joint, base, prim)
         self.variants(links)
 
-    def link(self, name: str, link: Link) -> Any:
+    def link(self, name: str, link: BodyLink) -> Any:
         """Add a link and return its prim; its shape is an instance."""
         prim = UsdGeom.Xform.Define(self.stage, _free(THING, name, self.taken)).GetPrim()
         path = _free(SHAPES, name, self.taken)
@@ -203,7 +203,7 @@ class _KindLayer:
                     orient.Set(Gf.Quatf(turn.GetQuat()))
         variants.SetVariantSelection(next(iter(states)))
 
-    def shape(self, folder: str, link: Link) -> None:
+    def shape(self, folder: str, link: BodyLink) -> None:
         """Add what a link is made of and what it looks like, so that nothing outside is referred to; what is touched is a collider."""
         self.bind(self.stage.GetPrimAtPath(folder), self.friction(folder, self.thing.friction), "physics")
         for shape in link.shapes:
@@ -290,7 +290,7 @@ class _KindLayer:
         return look
 
 
-def _mesh(stage: Any, path: str, surface: Surface, part: Part) -> Any:
+def _mesh(stage: Any, path: str, surface: DrawnSurface, part: Part) -> Any:
     mesh = UsdGeom.Mesh.Define(stage, path)
     points = Vt.Vec3fArray.FromNumpy(surface.positions.astype(np.float32))
     mesh.CreatePointsAttr(points)
@@ -308,7 +308,7 @@ def _mesh(stage: Any, path: str, surface: Surface, part: Part) -> Any:
     return mesh.GetPrim()
 
 
-def _rigid(prim: Any, link: Link) -> None:
+def _rigid(prim: Any, link: BodyLink) -> None:
     weight, middle, inertia = link.inertia()
     moments, axes = np.linalg.eigh(inertia)
     turn = quaternion(axes * np.sign(np.linalg.det(axes)))

@@ -23,7 +23,7 @@ from robolayout._version import __version__
 from robolayout.assets import Material, Part, category_of, room_parts
 from robolayout.assets.textures import media_type, picture
 from robolayout.export._exporter import Exporter, Json, Options, Rows, facts, is_movable, placed, reader
-from robolayout.export._mesh import Surface, base_color, linear, merged, quaternion
+from robolayout.export._mesh import DrawnSurface, base_color, linear, merged, quaternion
 from robolayout.export._rugs import laid_parts
 from robolayout.export._scenery import SCENERY, lamp, overview
 from robolayout.scene import Asset, Layout, Pose, Room, Scene
@@ -82,14 +82,14 @@ class _Builder:
         place: Json = {"translation": list(position), "rotation": [x, y, z, w]}
         return self.add("nodes", {"name": "camera", "camera": number, **place})
 
-    def _mesh(self, name: str, material: Material, closed: bool, shape: Surface) -> int:
+    def _mesh(self, name: str, material: Material, closed: bool, shape: DrawnSurface) -> int:
         arrays = (shape.positions, shape.normals, shape.indices, shape.uvs)
         key = (material, closed, *(array.tobytes() for array in arrays))
         return self._once(
             "meshes", key, lambda: {"name": name, "primitives": [self.primitive(material, closed, shape)]}
         )
 
-    def primitive(self, material: Material, closed: bool, shape: Surface) -> Json:
+    def primitive(self, material: Material, closed: bool, shape: DrawnSurface) -> Json:
         """Add a surface of one material; return what a mesh says of it."""
         vertices = {"POSITION": shape.positions, "NORMAL": shape.normals}
         if material.texture is not None:
@@ -198,7 +198,7 @@ def asset_glb(asset: Asset, pieces: tuple[Part, ...]) -> bytes:
     return builder.packed(builder.add("nodes", {"name": asset.name, "mesh": mesh, "extras": extras}))
 
 
-def _turned(shape: Surface) -> Surface:
+def _turned(shape: DrawnSurface) -> DrawnSurface:
     """Return a surface in glTF's axes (front z, up y) instead of this package's (front x, up z)."""
     axes = [1, 2, 0]
     return replace(shape, positions=shape.positions[:, axes], normals=shape.normals[:, axes])

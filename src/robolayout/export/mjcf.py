@@ -17,7 +17,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from robolayout.assets import Material
-from robolayout.export._bodies import BODIES, DRAG, STICTION, Free, Link, Shape, Thing, things
+from robolayout.export._bodies import BODIES, DRAG, STICTION, BodyLink, BodyShape, BodyTree, Free, things
 from robolayout.export._exporter import Exporter, Options, Rows, free_name, is_movable, reader, unique
 from robolayout.export._mesh import numbers, quaternion
 from robolayout.export._xml import dump_xml, parse_xml, rgba
@@ -111,7 +111,7 @@ def build(
     return dump_xml(model.root), dict(model.meshes.values())
 
 
-def _body(model: _Model, thing: Thing) -> None:
+def _body(model: _Model, thing: BodyTree) -> None:
     """Add a thing as a body, and one inside it for each joint; what moves does not collide with its own thing."""
     pose, half = thing.pose, thing.pose.yaw / 2
     place = {"pos": f"{pose.x!r} {pose.y!r} {pose.z!r}", "quat": f"{math.cos(half)!r} 0 0 {math.sin(half)!r}"}
@@ -130,7 +130,7 @@ def _body(model: _Model, thing: Thing) -> None:
             _geom(model, body, thing, shape, folder)
 
 
-def _jointed(model: _Model, outer: ET.Element, own: str, link: Link) -> ET.Element:
+def _jointed(model: _Model, outer: ET.Element, own: str, link: BodyLink) -> ET.Element:
     """Return the body of a link, with its joint and a site at its handle."""
     joint = link.joint
     assert joint is not None
@@ -144,7 +144,7 @@ def _jointed(model: _Model, outer: ET.Element, own: str, link: Link) -> ET.Eleme
     return body
 
 
-def _geom(model: _Model, body: ET.Element, thing: Thing, shape: Shape, folder: str) -> None:
+def _geom(model: _Model, body: ET.Element, thing: BodyTree, shape: BodyShape, folder: str) -> None:
     """Add a shape as a box or a mesh; the floor is a plane of the world, since Drake crashes at one of a body."""
     note = {"name": f"{thing.name}/{shape.name}", "class": "solid" if shape.touched else "look"}
     if shape.touched:

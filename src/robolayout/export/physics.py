@@ -98,7 +98,7 @@ class Settled:
 
 
 @dataclass(frozen=True)
-class Drive:
+class DrivenRoute:
     """How one route went."""
 
     contacts: tuple[str, ...]  # names of what the base touched (assets, "wall-0", "door-0"), sorted
@@ -112,7 +112,7 @@ class Driven:
     """How an agent's routes went."""
 
     agent: str  # name of the agent
-    drives: Mapping[str, Drive]  # one drive for each asset with a route
+    drives: Mapping[str, DrivenRoute]  # one drive for each asset with a route
 
     @property
     def contacts(self) -> Mapping[str, tuple[str, ...]]:
@@ -207,7 +207,7 @@ def drive(
     return Driven(agent.name, {name: _drive(model, data, way, speed) for name, way in driven.items()})
 
 
-def _drive(model: Any, data: Any, way: FloatArray, speed: float) -> Drive:
+def _drive(model: Any, data: Any, way: FloatArray, speed: float) -> DrivenRoute:
     """Drive one way from standstill to standstill."""
     mujoco, (times, path) = simulator(), timeline(way, speed)
     clock = np.arange(0.0, times[-1] + MOTION.settling, float(model.opt.timestep))
@@ -223,7 +223,7 @@ def _drive(model: Any, data: Any, way: FloatArray, speed: float) -> Drive:
         error = max(error, math.dist(data.qpos[places[:2]], goal[:2]))
         met |= touched(model, data, body)
     length = float(np.hypot(*np.diff(way[:, :2], axis=0).T).sum())
-    return Drive(tuple(sorted(met)), error, length, float(times[-1]))
+    return DrivenRoute(tuple(sorted(met)), error, length, float(times[-1]))
 
 
 def timeline(way: FloatArray, speed: float) -> tuple[FloatArray, FloatArray]:

@@ -10,7 +10,7 @@ import re
 import xml.etree.ElementTree as ET
 
 from robolayout._text import xml
-from robolayout.export._bodies import DRAG, STICTION, Link, Shape, Thing, things
+from robolayout.export._bodies import DRAG, STICTION, BodyLink, BodyShape, BodyTree, things
 from robolayout.export._exporter import Bundle, Exporter, Options, Rows, reader, unique
 from robolayout.export._mesh import numbers
 from robolayout.export._xml import DRAKE, STIFF, Tree, dump_xml, facts, moments, parse_xml, pose_of, put, rgba
@@ -51,7 +51,7 @@ def _legal(name: str, taken: set[str]) -> str:
     return unique(re.sub(r"[^\w .()-]", "_", xml(name)).strip("_ ") or "thing", taken)
 
 
-def _model(thing: Thing, folder: str) -> bytes:
+def _model(thing: BodyTree, folder: str) -> bytes:
     """Return the model of a thing; nothing of it collides with the rest of it."""
     root = _root()
     model = put(root, "model", {"@name": folder.rpartition("/")[2]})
@@ -79,13 +79,13 @@ def _joint(parent: ET.Element, child: str, still: str, rest: Tree) -> None:
     put(parent, "joint", {"@name": f"{child.partition('::')[0]} joint", "parent": still, "child": child, **rest})
 
 
-def _inertial(link: Link) -> Tree:
+def _inertial(link: BodyLink) -> Tree:
     weight, middle, inertia = link.inertia()
     pose = f"{numbers(middle.tolist())} 0 0 0"
     return {"inertial": {"pose": pose, "mass": numbers([weight]), "inertia": moments(inertia)}} if weight else {}
 
 
-def _shape(link: ET.Element, shape: Shape, folder: str, friction: float) -> None:
+def _shape(link: ET.Element, shape: BodyShape, folder: str, friction: float) -> None:
     """Add what is seen and what is touched of a shape."""
     color, grip = rgba(shape.part.material), numbers([friction])
     more: dict[str, Tree] = {

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import xml.etree.ElementTree as ET
 
-from robolayout.export._bodies import DRAG, STICTION, Link, Shape, Thing, things
+from robolayout.export._bodies import DRAG, STICTION, BodyLink, BodyShape, BodyTree, things
 from robolayout.export._exporter import Bundle, Exporter, Options, Rows, free_name, reader
 from robolayout.export._mesh import numbers
 from robolayout.export._xml import DRAKE, STIFF, Tree, dump_xml, facts, moments, parse_xml, pose_of, put, rgba
@@ -48,7 +48,7 @@ def _robot(name: str) -> ET.Element:
     return robot
 
 
-def _links(robot: ET.Element, thing: Thing, base: str, folder: str) -> None:
+def _links(robot: ET.Element, thing: BodyTree, base: str, folder: str) -> None:
     """Add the links of a thing and the joints between them."""
     for link in thing.links:
         joint = link.joint
@@ -73,14 +73,14 @@ def _joint(robot: ET.Element, child: str, parent: str, rest: Tree) -> None:
     put(robot, "joint", {"@name": f"{child}/joint", "parent": {"@link": parent}, "child": {"@link": child}, **rest})
 
 
-def _inertial(link: Link) -> Tree:
+def _inertial(link: BodyLink) -> Tree:
     weight, middle, inertia = link.inertia()
     origin, values = {"@xyz": numbers(middle.tolist()), "@rpy": "0 0 0"}, moments(inertia)
     entries = {f"@{name}": value for name, value in values.items()}
     return {"inertial": {"origin": origin, "mass": {"@value": numbers([weight])}, "inertia": entries}} if weight else {}
 
 
-def _shape(link: ET.Element, shape: Shape, folder: str, friction: float) -> None:
+def _shape(link: ET.Element, shape: BodyShape, folder: str, friction: float) -> None:
     """Add what is seen and what is touched of a shape."""
     material, grip = shape.part.material, {"@value": numbers([friction])}
     name = f"{link.get('name')}/{shape.name}"

@@ -17,13 +17,13 @@ from robolayout.floor.goals import missed as missed
 from robolayout.floor.ground import Ground as Ground
 from robolayout.floor.ground import clearance as clearance
 from robolayout.floor.ground import make_ground as make_ground
-from robolayout.floor.routes import Plan as Plan
+from robolayout.floor.routes import RoutePlan as RoutePlan
 from robolayout.floor.routes import plan_routes as plan_routes
 from robolayout.floor.standing import Standing as Standing
 from robolayout.floor.standing import standing as standing
 from robolayout.floor.standing import use_cells as use_cells
 from robolayout.floor.targets import SIDES as SIDES
-from robolayout.floor.targets import Contents as Contents
+from robolayout.floor.targets import RoomContents as RoomContents
 from robolayout.floor.targets import Targets as Targets
 from robolayout.floor.targets import targets_of as targets_of
 from robolayout.floor.walked import Blocks as Blocks

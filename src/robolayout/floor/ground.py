@@ -13,12 +13,12 @@ from robolayout._geometry import Body, compose, extents
 from robolayout.assets.obstacles import pieces
 from robolayout.floor.cells import Cells, Floats, Mask, cells_of, entries, turning_radius
 from robolayout.floor.config import FLOOR
-from robolayout.floor.targets import Contents, Targets, targets_of
+from robolayout.floor.targets import RoomContents, Targets, targets_of
 from robolayout.scene import Agent
 
 
 @dataclass(frozen=True, eq=False)
-class Obstacles:
+class FloorObstacles:
     """Rectangles that belong to things and go with these."""
 
     slot: NDArray[np.intp]  # (m,) slot that each rectangle belongs to
@@ -29,10 +29,10 @@ class Obstacles:
         """Return (m, 4) poses x, y, cos, sin of the rectangles."""
         return compose(world[self.slot], self.offset)
 
-    def without(self, slots: Cells) -> Obstacles:
+    def without(self, slots: Cells) -> FloorObstacles:
         """Return what is left when some slots are not there."""
         kept = ~np.isin(self.slot, slots)
-        return Obstacles(self.slot[kept], self.offset[kept], self.half[kept])
+        return FloorObstacles(self.slot[kept], self.offset[kept], self.half[kept])
 
 
 @dataclass(frozen=True, eq=False)
@@ -46,8 +46,8 @@ class Ground:
     agent: Agent  # the body
     cell: float  # metres per cell
     targets: Targets  # what it must get to
-    obstacles: Obstacles  # boxes, or the parts of them that it cannot pass
-    shelter: Obstacles  # boxes that it may come under or into
+    obstacles: FloorObstacles  # boxes, or the parts of them that it cannot pass
+    shelter: FloorObstacles  # boxes that it may come under or into
 
     @property
     def start(self) -> tuple[int, int] | None:
@@ -64,7 +64,7 @@ class Ground:
         return self.open & (field >= self.agent.radius - self.cell / 4)
 
 
-def make_ground(contents: Contents, agent: Agent, cell: float) -> Ground:
+def make_ground(contents: RoomContents, agent: Agent, cell: float) -> Ground:
     """Return the empty room on a grid; large rooms get larger cells."""
     xs, ys, cell = cells_of(contents.scene.room, cell, FLOOR.route_cells)
     room = Polygon(contents.scene.room.vertices)
@@ -81,13 +81,13 @@ def make_ground(contents: Contents, agent: Agent, cell: float) -> Ground:
     rows = np.concatenate([np.empty((0, 4)), *(rectangles for rectangles, _ in found)])
     slot = np.repeat(np.arange(len(found)), [len(rectangles) for rectangles, _ in found])
     square = np.tile([1.0, 0.0], (len(rows), 1))
-    obstacles = Obstacles(slot, np.concatenate([rows[:, :2], square], axis=1), rows[:, 2:])
+    obstacles = FloorObstacles(slot, np.concatenate([rows[:, :2], square], axis=1), rows[:, 2:])
     under = np.flatnonzero([passable for _, passable in found])
-    shelter = Obstacles(under, np.tile([0.0, 0.0, 1.0, 0.0], (len(under), 1)), contents.half[under])
+    shelter = FloorObstacles(under, np.tile([0.0, 0.0, 1.0, 0.0], (len(under), 1)), contents.half[under])
     return Ground(xs, ys, distance, doors, agent, cell, targets_of(contents, agent), obstacles, shelter)
 
 
-def clearance(ground: Ground, world: Floats, obstacles: Obstacles) -> Floats:
+def clearance(ground: Ground, world: Floats, obstacles: FloorObstacles) -> Floats:
     """Return metres from every cell to the nearest obstacle, negative inside, capped a little above what the body needs."""
     cap = turning_radius(ground.agent) + FLOOR.spare
     field = np.full((len(ground.xs), len(ground.ys)), cap)

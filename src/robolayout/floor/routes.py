@@ -20,20 +20,20 @@ from robolayout.floor.ground import Ground, box_distance, clearance, seen_from
 
 
 @dataclass(frozen=True)
-class Plan:
+class RoutePlan:
     """Routes for one layout."""
 
     demands: Floats  # (m, 4) rows (x, y, slot, metres to keep)
     blocked: int  # how many goals cannot be reached without pushing
 
 
-def plan_routes(ground: Ground, world: Floats, *, everywhere: bool = False) -> Plan:
+def plan_routes(ground: Ground, world: Floats, *, everywhere: bool = False) -> RoutePlan:
     """Return what must yield so that the agent gets from the door to everything and into every pocket of free space.
 
     With `everywhere`, routes that are free ask to stay so.
     """
     if ground.start is None:
-        return Plan(np.empty((0, 4)), 0)
+        return RoutePlan(np.empty((0, 4)), 0)
     field = clearance(ground, world, ground.obstacles)
     regions, _ = components(ground.passable(field))
     here = int(regions[ground.start])
@@ -46,7 +46,7 @@ def plan_routes(ground: Ground, world: Floats, *, everywhere: bool = False) -> P
     need = ground.agent.radius + FLOOR.route_margin
     demands = _demands(ground, world, points, need, need + FLOOR.nearby)
     turning = _turning(ground, world, np.where(home, field, -np.inf))
-    return Plan(np.concatenate([turning, demands]), goals + bool(len(turning)))
+    return RoutePlan(np.concatenate([turning, demands]), goals + bool(len(turning)))
 
 
 def _walks(

@@ -22,7 +22,7 @@ SIDES = ("front", "left", "back", "right")
 
 
 @dataclass(frozen=True, eq=False)
-class Contents:
+class RoomContents:
     """What a room holds, but not where: the same in every layout of a problem."""
 
     scene: Scene  # the room, its things and its bodies
@@ -57,7 +57,7 @@ def use_of(asset: Asset, bottom: float, agent: Agent, *, carried: bool) -> tuple
     return None if reach is None else (reach, () if carried or kind.movable else tuple(asked))
 
 
-def targets_of(contents: Contents, agent: Agent) -> Targets:
+def targets_of(contents: RoomContents, agent: Agent) -> Targets:
     """Return what a body must get to; rugs and what hangs from the ceiling need no reaching.
 
     A body with an arm moves chairs away: movable things that stand on the floor and carry nothing.

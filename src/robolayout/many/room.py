@@ -26,7 +26,7 @@ from robolayout._errors import InputError, RoboLayoutError
 from robolayout._files import write_atomic
 from robolayout.export import export_all
 from robolayout.many.index import PAGES
-from robolayout.many.spec import Ready, Source, Spec, read_spec
+from robolayout.many.spec import Ready, RoomSource, Spec, read_spec
 from robolayout.many.variety import Thing, things
 from robolayout.planners import scene_from_sentence
 from robolayout.render import draw_plan, png_bytes
@@ -116,7 +116,7 @@ def draw(ready: Ready, index: int, attempt: int = 0, meshes: Path | None = None)
 
 
 def _from_words(
-    source: Source, spec: Spec, rng: np.random.Generator, seed: int, style: str, bodies: Sequence[Agent]
+    source: RoomSource, spec: Spec, rng: np.random.Generator, seed: int, style: str, bodies: Sequence[Agent]
 ) -> Scene:
     """Return the scene of a sentence to which everything is added that it leaves open."""
     width, depth = source.size

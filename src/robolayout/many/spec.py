@@ -88,7 +88,7 @@ class Spec:
 
 
 @dataclass(frozen=True)
-class Source:
+class RoomSource:
     """One entry of `rooms`, read."""
 
     text: str  # the entry as written
@@ -102,7 +102,7 @@ class Ready:
     """A SPEC with everything read that it names."""
 
     spec: Spec  # the table
-    sources: tuple[Source, ...]  # the rooms
+    sources: tuple[RoomSource, ...]  # the rooms
     bodies: tuple[tuple[Agent, ...] | None, ...] = (None,)  # the bodies; None for those that a room is usually for
     # entries of the catalogues by kind of thing; their paths are from the folder of meshes of the batch
     own: Mapping[str, tuple[Mapping[str, Any], ...]] = field(default_factory=dict[str, tuple[Mapping[str, Any], ...]])
@@ -225,16 +225,16 @@ def _range(value: object, where: str, *, whole: bool, bounds: Mapping[str, float
     return low, high
 
 
-def _source(text: str, base: Path, spec: Spec) -> Source:
+def _source(text: str, base: Path, spec: Spec) -> RoomSource:
     """Return one entry of `rooms`; a sentence is read once, so that what cannot be read is known before any work."""
     if text.endswith(".json"):
-        return Source(text, load_scene(base / text))
+        return RoomSource(text, load_scene(base / text))
     sentence = " ".join(text.split()).rstrip(".")
     try:
         _, found = scene_from_sentence(sentence, seed=spec.seed)
     except InputError as error:
         raise InputError(f"rooms in the SPEC: {text!r} is no room: {error}") from None
-    return Source(text, None, sentence, found.size)
+    return RoomSource(text, None, sentence, found.size)
 
 
 def _catalogues(names: Sequence[str], base: Path) -> tuple[dict[str, tuple[Mapping[str, Any], ...]], dict[str, Path]]:

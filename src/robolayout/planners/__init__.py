@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from robolayout.planners.model.judge import ModelJudge
     from robolayout.planners.model.planner import ModelPlanner
     from robolayout.planners.model.prompt import poses_text
-    from robolayout.planners.model.ranking import Score, score_samples
+    from robolayout.planners.model.ranking import SampleScore, score_samples
     from robolayout.planners.offline import OfflinePlanner
     from robolayout.planners.sentence import Understanding, scene_from_sentence
 
@@ -33,7 +33,7 @@ __all__ = [
     "Pictures",
     "PlanRequest",
     "Planner",
-    "Score",
+    "SampleScore",
     "Understanding",
     "poses_text",
     "scene_from_sentence",

@@ -10,7 +10,7 @@ from itertools import chain
 
 import numpy as np
 
-from robolayout.planners._wishes import Wishes, head
+from robolayout.planners._wishes import RoomWishes, head
 from robolayout.scene import Agent
 from robolayout.words import mentions, place_in, visits
 
@@ -33,7 +33,7 @@ SEATS = {"bench", "stool", "pew", "floor cushion"}  # what people sit on at tabl
 class Added:
     """What belongs in a room and was not named."""
 
-    wishes: Wishes  # what was asked for
+    wishes: RoomWishes  # what was asked for
     wished: Mapping[str, int]  # the things of it, with what people bring along
     floor: float  # floor of the room in m2
     fill: float  # share of the floor up to which further things are added

@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from robolayout.assets import Category
-from robolayout.planners._wishes import Wishes
+from robolayout.planners._wishes import RoomWishes
 from robolayout.scene import Opening, Room
 from robolayout.words import COMPASS, Place, Reading, grammar, sides, walls_meant
 
@@ -55,7 +55,7 @@ class Wanted:
         return bool(self.wall.words or self.wall.by)
 
 
-def with_openings(room: Room, wishes: Wishes, wide: float, rng: np.random.Generator, *, varied: bool) -> Room:
+def with_openings(room: Room, wishes: RoomWishes, wide: float, rng: np.random.Generator, *, varied: bool) -> Room:
     """Return a room with doors near the ends of long walls (varied: somewhere in any wall), and windows in other walls.
 
     Where another wall can have it, no door is made at a wall or corner where things are to stand, and no window behind high ones.
@@ -116,7 +116,7 @@ def _amid(reading: Reading) -> set[str]:
     return next(({*found} for found in names if "window" in found and {*found} <= {"window", "door"}), set())
 
 
-def _placed(room: Room, wishes: Wishes, name: str) -> Iterator[tuple[list[list[int]], list[Category]]]:
+def _placed(room: Room, wishes: RoomWishes, name: str) -> Iterator[tuple[list[list[int]], list[Category]]]:
     """Yield the walls that each word of a wall or corner means, and the kinds that are asked to stand there."""
     walls = grammar().walls
     for link in wishes.reading.parsed.links:
@@ -129,7 +129,7 @@ def _placed(room: Room, wishes: Wishes, name: str) -> Iterator[tuple[list[list[i
                     yield [_meant(room, place)], there
 
 
-def _held(room: Room, wishes: Wishes, least: float) -> set[int]:
+def _held(room: Room, wishes: RoomWishes, least: float) -> set[int]:
     """Return the walls at which something is asked to stand; with a height what is lower counts only if it hangs."""
     found = set[int]()
     for walls, there in _placed(room, wishes, "wall"):
@@ -138,7 +138,7 @@ def _held(room: Room, wishes: Wishes, least: float) -> set[int]:
     return found
 
 
-def _aside(room: Room, wall: int, along: float, wishes: Wishes, full: Set[int]) -> float:
+def _aside(room: Room, wall: int, along: float, wishes: RoomWishes, full: Set[int]) -> float:
     """Return where along a wall (1 at its start) a door is: at its other end, or in the middle, where its end is to be free."""
     told = _placed(room, wishes, "corner")
     meant = [walls for walls, there in told if len(walls) == 2 and any(kind.on_floor for kind in there)]

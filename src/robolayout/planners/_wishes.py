@@ -18,11 +18,11 @@ from robolayout.words import (
     KIN,
     Lexicon,
     Link,
+    NamedThing,
     Place,
     Reading,
-    Rooms,
     RoomType,
-    Thing,
+    RoomTypes,
     grammar,
     mentions,
     named,
@@ -73,13 +73,13 @@ def head(name: str) -> str:
 
 
 @dataclass(frozen=True)
-class Wishes:
+class RoomWishes:
     """What a text asks of a new room."""
 
     reading: Reading  # what it says
     room: RoomType  # the room type: as named, else the nearest one
     guesses: tuple[str, ...]  # what was guessed, one sentence each
-    rooms: Rooms  # the room types, bodies and corners that are known
+    rooms: RoomTypes  # the room types, bodies and corners that are known
     lexicon: Lexicon  # the kinds of things that are known
     roles: Mapping[str, Role]  # what things are for, by the names of things
 
@@ -105,7 +105,7 @@ class Wishes:
         return {**self.lexicon.kinds, **{kind.name: kind for kind in reversed(self.asked.values())}}
 
     @cached_property
-    def asked(self) -> dict[Thing, Category]:
+    def asked(self) -> dict[NamedThing, Category]:
         """The kind of each thing that is named, with its name and size, and as it is where it is asked to be."""
         return {thing: self._as_wished(thing) for thing in self.reading.parsed.things}
 
@@ -143,7 +143,7 @@ class Wishes:
         there = {self.roles[other].name for other in present if other in self.roles}
         return bool(wanted) and "*" not in wanted and not wanted & there
 
-    def told(self, name: str) -> list[Thing]:
+    def told(self, name: str) -> list[NamedThing]:
         """Return what was asked for of a category, once for each of it: "a low table and two high ones" are three."""
         return [thing for thing, kind in self.asked.items() if kind.name == name for _ in range(thing.count)]
 
@@ -167,7 +167,7 @@ class Wishes:
         spoken += [(t.spans[0][1] - len(t.noun.said.split()), t.spans[0][1]) for t in unknown]
         return tuple(self.reading.span(*span) for span in sorted(spoken))
 
-    def kind(self, thing: Thing) -> str:
+    def kind(self, thing: NamedThing) -> str:
         """Return which kind a thing is: where its one word is general, what is usual in the room.
 
         A desk of a classroom is a student desk. A chair at a table, at a wall or by the door is what people there sit on, and
@@ -190,12 +190,12 @@ class Wishes:
             fits = [name for name in fits if name in SMALL and (thing.noun.others or kind not in LOW)]
         return next(iter(fits), kind)
 
-    def _shown(self, thing: Thing) -> str:
+    def _shown(self, thing: NamedThing) -> str:
         """Return the category under which a thing stands in the scene: its own words where no kind of that name is known."""
         name = self.kind(thing)
         return thing.noun.words if thing.noun.kind == name and thing.noun.words not in self.lexicon.kinds else name
 
-    def _as_wished(self, thing: Thing) -> Category:
+    def _as_wished(self, thing: NamedThing) -> Category:
         """Return the kind of a thing with its name and size, and as it is where it is asked to be."""
         name, shown = self.kind(thing), self._shown(thing)
         kind = self.lexicon.kinds[name]
@@ -207,7 +207,7 @@ class Wishes:
         like = kind.like or (name if shown != name else "")
         return self._as_placed(thing, replace(kind, name=shown, like=like, size=size))
 
-    def _as_placed(self, thing: Thing, kind: Category) -> Category:
+    def _as_placed(self, thing: NamedThing, kind: Category) -> Category:
         """Return a kind as it is where it is asked to be: on a thing, under the ceiling, flat on a wall, on one of its own."""
         for link in self.reading.parsed.links:
             if thing not in named(link.subjects):
@@ -225,7 +225,7 @@ class Wishes:
                 kind = replace(kind, on_object=True)
         return kind
 
-    def _large_enough(self, thing: Thing, size: Size) -> Size:
+    def _large_enough(self, thing: NamedThing, size: Size) -> Size:
         """Return the size of a thing with room for what is to lie on it, where it is a rug, or to sit before it in a line."""
         depth, width, height = size
         links = [link for link in self.reading.parsed.links if thing in named(link.objects)]
@@ -249,7 +249,7 @@ class Wishes:
         return depth, width, height
 
 
-def read_wishes(text: str, own: Knowledge) -> Wishes:
+def read_wishes(text: str, own: Knowledge) -> RoomWishes:
     """Return what a text asks of a new room; one that is empty, or names neither a room nor a thing, is refused."""
     if not text.strip():
         raise SceneError('the sentence is empty; say for example "a bedroom for two with a desk, 4 x 5 m".')
@@ -264,10 +264,10 @@ def read_wishes(text: str, own: Knowledge) -> Wishes:
         for thing in reading.parsed.things
         if thing.noun.guessed and not thing.noun.kind.startswith("unknown")
     ]
-    return Wishes(reading, room, tuple(guesses), rooms, lexicon, own.playing)
+    return RoomWishes(reading, room, tuple(guesses), rooms, lexicon, own.playing)
 
 
-def _room(reading: Reading, rooms: Rooms) -> tuple[RoomType, list[str]]:
+def _room(reading: Reading, rooms: RoomTypes) -> tuple[RoomType, list[str]]:
     """Return the room type: as named, else the nearest one, else the one that most of the things belong in."""
     if reading.room is not None and not (reading.guessed and reading.room == "room"):
         guess = [f"{reading.room_words!r} is no room type that is known: {reading.room} was taken."]
@@ -293,7 +293,7 @@ def _belongs(kinds: set[str], room: RoomType) -> float:
     return found - LACKING * (len(room.base.keys() - kinds) - len(lights_and_rugs))
 
 
-def _seats(thing: Thing, links: Sequence[Link]) -> float:
+def _seats(thing: NamedThing, links: Sequence[Link]) -> float:
     """Return the seats that each of a thing is said to have: "for ten", "with six chairs", "ten chairs around it"."""
     if thing.people:
         return _promised(thing)
@@ -301,6 +301,6 @@ def _seats(thing: Thing, links: Sequence[Link]) -> float:
     return sum(other.count for other in others if other.noun.kind.endswith(SEATS)) / thing.count
 
 
-def _promised(thing: Thing) -> float:
+def _promised(thing: NamedThing) -> float:
     """Return the seats at each of a thing that "for ten" promises; tables of which no number is said share them."""
     return thing.people / (thing.count if thing.plural and thing.number is None else 1)

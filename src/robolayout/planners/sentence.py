@@ -20,7 +20,7 @@ from robolayout.assets.palette import PALETTES
 from robolayout.planners._added import COMFORT, LARGER, SEATS, SPARE, Added, both
 from robolayout.planners._knowledge import load_knowledge
 from robolayout.planners._openings import with_openings
-from robolayout.planners._wishes import Wishes, head, read_wishes
+from robolayout.planners._wishes import RoomWishes, head, read_wishes
 from robolayout.scene import FLAT_HEIGHT, Agent, Room, Scene, load_agent, scene_from_dict, variable_name
 from robolayout.words import RoomType, dressing, named
 
@@ -127,7 +127,7 @@ def scene_from_sentence(
     return scene_from_dict(_scene(found, wishes, rng, varied=variant > 0)), found
 
 
-def _wished(wishes: Wishes) -> dict[str, int]:
+def _wished(wishes: RoomWishes) -> dict[str, int]:
     """Return what was asked for, with what the people in the sentence bring along."""
     room, wished = wishes.room, Counter(wishes.things)
     people = _people(wishes, wished)
@@ -157,14 +157,14 @@ def _wished(wishes: Wishes) -> dict[str, int]:
     return dict(wished)
 
 
-def _usual_people(wishes: Wishes) -> int:
+def _usual_people(wishes: RoomWishes) -> int:
     """Return for how many such a room usually is; where each has a table of his own, for more in a larger one."""
     room, times = wishes.room, wishes.times_usual
     grows = times >= LARGER and (bool(room.tables) or len(room.person) > 1)
     return round(room.people * times) if grows else room.people
 
 
-def _people(wishes: Wishes, wished: dict[str, int]) -> int:
+def _people(wishes: RoomWishes, wished: dict[str, int]) -> int:
     """Return for how many the room is: as said, else as many as have a seat, a desk or a bed; seats are wished for."""
     room = wishes.room
     if wishes.seats:
@@ -191,7 +191,7 @@ def _chair(room: RoomType) -> str:
     return next((name for name in room.person if head(name) == "chair"), "chair")
 
 
-def _room_size(wishes: Wishes, wished: Mapping[str, int], stretch: float) -> tuple[float, float]:
+def _room_size(wishes: RoomWishes, wished: Mapping[str, int], stretch: float) -> tuple[float, float]:
     """Return width and depth in metres: as asked, else usual ones, enlarged for what is wished, one side stretched."""
     if wishes.reading.size is not None:
         return wishes.reading.size
@@ -215,7 +215,7 @@ def _room_size(wishes: Wishes, wished: Mapping[str, int], stretch: float) -> tup
     return (round(width, 2), round(depth, 2))
 
 
-def _blocks(wishes: Wishes) -> Iterator[tuple[float, float]]:
+def _blocks(wishes: RoomWishes) -> Iterator[tuple[float, float]]:
     """Yield how wide and how deep rows and blocks that are told are in metres, with what stands before them and ways around."""
     links = wishes.reading.parsed.links
     for link in links:
@@ -238,7 +238,7 @@ def _blocks(wishes: Wishes) -> Iterator[tuple[float, float]]:
             yield (ahead if watching else each * width + 2 * SIZES.around), ahead  # what they watch may be at any wall
 
 
-def _possible(wishes: Wishes, wished: Mapping[str, int], size: tuple[float, float]) -> None:
+def _possible(wishes: RoomWishes, wished: Mapping[str, int], size: tuple[float, float]) -> None:
     """Refuse wishes that no arrangement can meet."""
     there, need = wishes.floor(size), wishes.floor_area(wished)
     if need > SIZES.fullest * there:
@@ -256,7 +256,7 @@ def _possible(wishes: Wishes, wished: Mapping[str, int], size: tuple[float, floa
             )
 
 
-def _assumed(wishes: Wishes, size: tuple[float, float], height: float, wished: Iterable[Category]) -> Iterator[str]:
+def _assumed(wishes: RoomWishes, size: tuple[float, float], height: float, wished: Iterable[Category]) -> Iterator[str]:
     """Yield a sentence for every choice that the reader made, and each thing that is made as low as the walls."""
     room = wishes.room
     if wishes.reading.size is None:
@@ -271,7 +271,7 @@ def _assumed(wishes: Wishes, size: tuple[float, float], height: float, wished: I
             yield f"The walls are {height:g} m high, so {kind.name} is {height - SPARE:g} m high, not {kind.size[2]:g} m."
 
 
-def _scene(found: Understanding, wishes: Wishes, rng: np.random.Generator, *, varied: bool) -> dict[str, object]:
+def _scene(found: Understanding, wishes: RoomWishes, rng: np.random.Generator, *, varied: bool) -> dict[str, object]:
     """Return the scene file's content for what was understood."""
     width, depth = found.size
     outline = [(0.0, 0.0), (width, 0.0), (width, depth), (0.0, depth)]
@@ -294,7 +294,7 @@ def _scene(found: Understanding, wishes: Wishes, rng: np.random.Generator, *, va
     }
 
 
-def _assets(found: Understanding, wishes: Wishes, style: str, rng: np.random.Generator) -> dict[str, object]:
+def _assets(found: Understanding, wishes: RoomWishes, style: str, rng: np.random.Generator) -> dict[str, object]:
     """Return the asset list: sizes and looks as said, or within 6 % of typical ones; what is added of a kind is like the first of it."""
     assets: dict[str, object] = {}
     for kind, count in ((wishes.kinds[name], count) for name, count in both(found.wished, found.added).items()):

@@ -33,7 +33,7 @@ READING = ReadingConfig()
 
 
 @dataclass(frozen=True)
-class Limits:
+class ProgramLimits:
     """What a program may use; everything beyond ends in a `ProgramLimitError`."""
 
     seconds: float = 5.0  # time to run, in seconds

@@ -10,13 +10,13 @@ from typing import Any
 from robolayout._errors import ProgramError, ProgramLimitError
 from robolayout.constraints import RELATIONS, Relation
 from robolayout.program._arguments import WEIGHT, ArgumentError, Recorded, build_relation, wish_weight
-from robolayout.program._program import READING, Guess, Limits, Program, Statement
+from robolayout.program._program import READING, Guess, Program, ProgramLimits, Statement
 from robolayout.program._sandbox import run
-from robolayout.program._source import Site, Source, read_source, without_line
+from robolayout.program._source import ProgramSource, TextPlace, read_source, without_line
 from robolayout.scene import Scene
 
 
-def read_program(text: str, scene: Scene, limits: Limits | None = None) -> Program:
+def read_program(text: str, scene: Scene, limits: ProgramLimits | None = None) -> Program:
     """Return the statements and guesses of a program for `scene`.
 
     Args:
@@ -27,7 +27,7 @@ def read_program(text: str, scene: Scene, limits: Limits | None = None) -> Progr
         ProgramError: With line, source and caret, and what would have worked.
         ProgramLimitError: Where it ran over a limit.
     """
-    limits = limits or Limits()
+    limits = limits or ProgramLimits()
     source = read_source(text, tuple(RELATIONS), scene.variables, limits)
     recorded = run(source, scene, tuple(RELATIONS), limits)
     said = _Said(recorded["log"], set(recorded["inner"]), source, scene)
@@ -39,7 +39,7 @@ def read_program(text: str, scene: Scene, limits: Limits | None = None) -> Progr
     return Program(source.text, said.statements(), guesses, notes, expressions=written, wishes=wishes)
 
 
-def read_salvaged(text: str, scene: Scene, limits: Limits | None = None) -> Program:
+def read_salvaged(text: str, scene: Scene, limits: ProgramLimits | None = None) -> Program:
     """Return what can be read of a model's answer: a statement that cannot costs that statement, not the program.
 
     The smallest Python statement that an error points at is left out and the rest read again, until all of it runs.
@@ -73,7 +73,7 @@ def read_salvaged(text: str, scene: Scene, limits: Limits | None = None) -> Prog
 class _Said:
     """The recorded calls of a program as statements; `inner` are the places of those that are part of another one."""
 
-    def __init__(self, log: list[list[Any]], inner: set[int], source: Source, scene: Scene) -> None:
+    def __init__(self, log: list[list[Any]], inner: set[int], source: ProgramSource, scene: Scene) -> None:
         self.log, self.inner, self.source, self.scene = log, inner, source, scene
 
     def statements(self, *, wishes: bool = False) -> tuple[Statement, ...]:
@@ -105,11 +105,11 @@ class _Said:
         return ["list", [self._told(item) for item in value[1]]] if value[0] == "list" else value
 
 
-def _site(source: Source, place: object) -> Site:
-    return source.sites[place] if isinstance(place, int) and 0 <= place < len(source.sites) else Site(0, 0)
+def _site(source: ProgramSource, place: object) -> TextPlace:
+    return source.sites[place] if isinstance(place, int) and 0 <= place < len(source.sites) else TextPlace(0, 0)
 
 
-def _argument(site: Site, argument: int | str | None) -> ast.expr | None:
+def _argument(site: TextPlace, argument: int | str | None) -> ast.expr | None:
     """Return the node of an argument of the call, if it can be told."""
     if site.call is None or argument is None:
         return None
@@ -119,7 +119,7 @@ def _argument(site: Site, argument: int | str | None) -> ast.expr | None:
     return None if starred or argument >= len(site.call.args) else site.call.args[argument]
 
 
-def _guess(expression: str, recorded: list[Any], source: Source) -> Guess:
+def _guess(expression: str, recorded: list[Any], source: ProgramSource) -> Guess:
     """Return the guess for one asset; an empty one if the program says nothing about it."""
     place, turn, place_site, turn_site = recorded
     position = None if place is None else _vector(place, f"{expression}.position", _site(source, place_site), source)
@@ -130,7 +130,7 @@ def _guess(expression: str, recorded: list[Any], source: Source) -> Guess:
     return Guess((position[0], position[1], position[2]) if position else None, yaw)
 
 
-def _yaw(recorded: Recorded, expression: str, site: Site, source: Source) -> float:
+def _yaw(recorded: Recorded, expression: str, site: TextPlace, source: ProgramSource) -> float:
     """Return the yaw in radians: one number is degrees, three are radians about x, y and z."""
     turns = ["list", [recorded]] if recorded[0] == "number" else recorded
     numbers = _vector(turns, f"{expression}.rotation", site, source)
@@ -139,7 +139,7 @@ def _yaw(recorded: Recorded, expression: str, site: Site, source: Source) -> flo
     return math.radians(numbers[0]) if len(numbers) == 1 else numbers[2]
 
 
-def _vector(recorded: Recorded, what: str, site: Site, source: Source) -> list[float]:
+def _vector(recorded: Recorded, what: str, site: TextPlace, source: ProgramSource) -> list[float]:
     items = recorded[1] if recorded[0] == "list" else []
     if not items or any(item[0] != "number" for item in items):
         raise source.error(f"{what} takes a list of numbers", site.line, site.column)

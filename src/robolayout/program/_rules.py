@@ -1,7 +1,7 @@
 """The rules of the self-consistency filter, one function each.
 
 A rule looks at one relation and at what was accepted before it. It answers None (nothing against it), a sentence (why it
-is rejected) or a `Change` (another relation in its place, and why).
+is rejected) or a `Replacement` (another relation in its place, and why).
 """
 
 from __future__ import annotations
@@ -37,7 +37,7 @@ OVERHANG = 1.5
 AtWall = AgainstWall | MountedOn | Row  # relations that put something at a wall
 
 
-class Change(NamedTuple):
+class Replacement(NamedTuple):
     """Another relation instead of the one asked."""
 
     relation: Relation
@@ -121,7 +121,7 @@ def where(statement: Statement) -> str:
     return f"{statement.relation.sentence()}{line}"
 
 
-Answer = None | str | Change
+Answer = None | str | Replacement
 
 
 def known(so_far: Accepted, relation: Relation) -> Answer:
@@ -145,7 +145,7 @@ def rug_below(so_far: Accepted, relation: Relation) -> Answer:
     """Put a rug under what is said to stand on it: furniture on a rug stands on the floor."""
     if isinstance(relation, OnTopOf) and so_far.scene.by_name[relation.b.name].is_flat:
         change = Under(relation.b, (relation.a,))
-        return Change(change, f"{relation.b} is flat: {relation.a} stands on the floor and the rug lies under it")
+        return Replacement(change, f"{relation.b} is flat: {relation.a} stands on the floor and the rug lies under it")
     return None
 
 
@@ -214,7 +214,7 @@ def one_heading(so_far: Accepted, relation: Relation) -> Answer:
     if isinstance(relation, FacingPair) and len(turned) == 1:
         free = relation.b if relation.a.name == turned[0] else relation.a
         change = PointTowards(free, AssetRef(turned[0]))
-        return Change(change, f"{turned[0]} is already turned by {where(earlier)}, so only {free} turns")
+        return Replacement(change, f"{turned[0]} is already turned by {where(earlier)}, so only {free} turns")
     for name in turned:
         gap = possible.heading_gap(so_far, relation, name)
         if gap is None or gap > TOLERANCE.angle:
@@ -246,14 +246,18 @@ def wall_holds(so_far: Accepted, relation: Relation) -> Answer:
     able = [wall for wall in so_far.scene.room.walls if _trouble(so_far, relation, wall.index) is None]
     if not able:
         why = f"{trouble}, and no other wall can hold {'it' if len(subjects(relation)) == 1 else 'them'}"
-        return Change(replace(relation, wall=None), f"{why}, so the row has none") if isinstance(relation, Row) else why
+        return (
+            Replacement(replace(relation, wall=None), f"{why}, so the row has none")
+            if isinstance(relation, Row)
+            else why
+        )
     if place is None:
         best = min(able, key=lambda wall: (round(math.dist(wall.midpoint, asked.midpoint), 9), wall.index))
         why = f"{trouble}; walls[{best.index}] is the nearest that can hold it"
     else:
         best = min(able, key=lambda wall: (round(wall.distance(place), 9), wall.index))
         why = f"walls[{best.index}] is the nearest to the first guess"
-    return Change(replace(relation, wall=WallRef(best.index)), why) if best.index != asked.index else None
+    return Replacement(replace(relation, wall=WallRef(best.index)), why) if best.index != asked.index else None
 
 
 def _trouble(so_far: Accepted, relation: AtWall, index: int) -> str | None:
@@ -333,7 +337,7 @@ def distance(so_far: Accepted, relation: Relation) -> Answer:
         low = most
     if low is not None and high is not None and low > high:
         return f"no distance between {asset.name} and {other} is possible in this room"
-    return Change(replace(relation, min_distance=low, max_distance=high), "; ".join(reasons)) if reasons else None
+    return Replacement(replace(relation, min_distance=low, max_distance=high), "; ".join(reasons)) if reasons else None
 
 
 def _apart(name: str, other: AssetRef | WallRef | PointRef) -> str:

@@ -17,8 +17,8 @@ from importlib.resources import files
 from typing import TYPE_CHECKING, Any
 
 from robolayout._errors import ProgramError, ProgramLimitError, did_you_mean
-from robolayout.program._program import READING, Limits
-from robolayout.program._source import MEANINGLESS, Source, characters
+from robolayout.program._program import READING, ProgramLimits
+from robolayout.program._source import MEANINGLESS, ProgramSource, characters
 from robolayout.scene import Scene
 
 if TYPE_CHECKING:
@@ -28,7 +28,7 @@ PROGRAM_FEED = "<python-input-1>"  # what the interpreter calls the second feed:
 RESULT = "_rl_result()"  # the expression that reads everything back as one JSON text
 
 
-def run(source: Source, scene: Scene, relations: Collection[str], limits: Limits) -> dict[str, Any]:
+def run(source: ProgramSource, scene: Scene, relations: Collection[str], limits: ProgramLimits) -> dict[str, Any]:
     """Run the program and return what it recorded; raises `ProgramError` for what goes wrong in it."""
     from pydantic_monty import Monty, MontyError  # 0.08 s to import
 
@@ -73,7 +73,7 @@ def _prelude(scene: Scene, relations: Collection[str]) -> str:
     return "\n".join(lines) + "\n"
 
 
-def _scene_data(scene: Scene, limits: Limits) -> dict[str, object]:
+def _scene_data(scene: Scene, limits: ProgramLimits) -> dict[str, object]:
     """Return the scene and the limits as plain data for the recorder."""
     room = scene.room
     assets = [
@@ -89,7 +89,7 @@ def _scene_data(scene: Scene, limits: Limits) -> dict[str, object]:
 
 
 def _translate(
-    error: MontyError, source: Source, scene: Scene, relations: Collection[str], limits: Limits
+    error: MontyError, source: ProgramSource, scene: Scene, relations: Collection[str], limits: ProgramLimits
 ) -> ProgramError:
     """Return our error for an error of the interpreter, at the line of the program that caused it."""
     line, column = _place(error, source)
@@ -113,7 +113,7 @@ def _translate(
     return source.error(re.sub(r"_rl_(\w+)", lambda name: name[1].lower(), text), line, column)
 
 
-def _place(error: MontyError, source: Source) -> tuple[int | None, int | None]:
+def _place(error: MontyError, source: ProgramSource) -> tuple[int | None, int | None]:
     """Return line (from 1) and column (from 0) in the program, where the innermost frame of it stands."""
     traceback = getattr(error, "traceback", list)
     frames = [frame for frame in traceback() if frame.filename == PROGRAM_FEED]
@@ -122,7 +122,7 @@ def _place(error: MontyError, source: Source) -> tuple[int | None, int | None]:
     return frames[-1].line, source.original_column(frames[-1].line, frames[-1].column - 1)
 
 
-def _exceeded(error: MontyError, text: str, limits: Limits) -> str | None:
+def _exceeded(error: MontyError, text: str, limits: ProgramLimits) -> str | None:
     from pydantic_monty import MontyCrashedError, MontySyntaxError
 
     inner = error.exception()
@@ -148,7 +148,7 @@ def _unknown_name(name: str, scene: Scene, relations: Collection[str]) -> str:
     return f"unknown asset or variable {name!r}.{did_you_mean(name, known)} Known variables: {', '.join(known)}."
 
 
-def _out_of_range(source: Source, scene: Scene, line: int | None, column: int | None) -> str | None:
+def _out_of_range(source: ProgramSource, scene: Scene, line: int | None, column: int | None) -> str | None:
     """Return a sentence about the list that is too short, if it is one of the scene's variables."""
     counts = {name: len(group) for name, group in scene.variables.items()} | {"walls": len(scene.room.walls)}
     for node in ast.walk(source.tree):

@@ -16,7 +16,7 @@ from contextlib import suppress
 from dataclasses import dataclass
 
 from robolayout._errors import ProgramError, ProgramLimitError, did_you_mean
-from robolayout.program._program import READING, Limits
+from robolayout.program._program import READING, ProgramLimits
 
 FENCE = re.compile(r"^(\s*)```+\s*([A-Za-z0-9_+-]*)")
 PYTHON = {"python", "py", "python3", "robolayout"}
@@ -33,7 +33,7 @@ FORBIDDEN = frozenset(
 
 
 @dataclass(frozen=True)
-class Site:
+class TextPlace:
     """A place in the text that a mark points at."""
 
     line: int  # line, counted from 1
@@ -42,14 +42,14 @@ class Site:
 
 
 @dataclass(frozen=True)
-class Source:
+class ProgramSource:
     """Program text that may run."""
 
     text: str  # the text as given, without fences and prose (their lines are empty)
     lines: tuple[str, ...]
     tree: ast.Module  # its syntax tree
     marked: str  # the text with marks
-    sites: tuple[Site, ...]  # what the marks point at
+    sites: tuple[TextPlace, ...]  # what the marks point at
     edits: tuple[tuple[int, int, int], ...]  # where marks were inserted: (line, column in the text, length), in order
 
     def error(
@@ -75,7 +75,9 @@ class Source:
         return max(column - shift, 0)
 
 
-def read_source(text: str, relations: Collection[str], variables: Collection[str], limits: Limits) -> Source:
+def read_source(
+    text: str, relations: Collection[str], variables: Collection[str], limits: ProgramLimits
+) -> ProgramSource:
     """Return checked and marked text; raises `ProgramError` for what the language does not have."""
     if len(text) > limits.text:
         raise ProgramLimitError(
@@ -98,7 +100,7 @@ def read_source(text: str, relations: Collection[str], variables: Collection[str
     rows = list(lines)
     for line, column, _, mark in reversed(edits):
         rows[line - 1] = rows[line - 1][:column] + mark + rows[line - 1][column:]
-    return Source(text, lines, tree, "\n".join(rows), sites, tuple((r, c, len(t)) for r, c, _, t in edits))
+    return ProgramSource(text, lines, tree, "\n".join(rows), sites, tuple((r, c, len(t)) for r, c, _, t in edits))
 
 
 def unwrapped(text: str) -> str:
@@ -248,14 +250,14 @@ Edit = tuple[int, int, int, str]  # line, column in characters, a key that order
 
 def _marks(
     tree: ast.Module, lines: tuple[str, ...], relations: Collection[str], variables: Collection[str]
-) -> tuple[tuple[Site, ...], list[Edit]]:
+) -> tuple[tuple[TextPlace, ...], list[Edit]]:
     """Return the sites of the text and the marks to insert.
 
     `x.against_wall` becomes `_rl_at(x, site).against_wall`, `x.position` and `x.rotation` become
     `_rl_one(x, "position", site).position` (no site when it is only read), `x.placements` becomes `_rl_all(x).placements`.
     """
     calls = {id(node.func): node for node in ast.walk(tree) if isinstance(node, ast.Call)}
-    sites: list[Site] = []
+    sites: list[TextPlace] = []
     edits: list[Edit] = []
     for node in _attributes(tree):
         if node.attr in relations and isinstance(node.ctx, ast.Load):
@@ -268,7 +270,7 @@ def _marks(
         else:
             continue
         edits += _around(node.value, lines, opening, closing)
-        sites.append(Site(node.lineno, edits[-2][1], calls.get(id(node))))
+        sites.append(TextPlace(node.lineno, edits[-2][1], calls.get(id(node))))
     for node in ast.walk(tree):
         if isinstance(node, ast.Import) and node.names[0].name == NUMPY:
             start = characters(lines[node.lineno - 1], node.col_offset)
@@ -276,7 +278,7 @@ def _marks(
         elif isinstance(node, ast.Assign) and _thing(target := node.targets[0], variables):
             # `bed[0] = AssetInstance(...)` sets a guess instead of replacing the bed; around the marks of the value itself
             edits += _around(node.value, lines, f"_rl_put({ast.unparse(target)}, {len(sites)}, ", ")", outer=1)
-            sites.append(Site(node.lineno, characters(lines[node.lineno - 1], node.value.col_offset)))
+            sites.append(TextPlace(node.lineno, characters(lines[node.lineno - 1], node.value.col_offset)))
     return tuple(sites), sorted(edits)
 
 

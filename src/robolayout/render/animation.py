@@ -52,7 +52,7 @@ def progress_gif(
         chosen.append(Snapshot(last, "result", {name: (p.x, p.y, p.yaw) for name, p in layout.items()}))
     if not chosen:
         raise InputError("progress_gif has nothing to show: the trace has no snapshots and no layout was given.")
-    stage = Stage(scene.room, FILM.strip if trace.losses else 8.0)
+    stage = FrameSheet(scene.room, FILM.strip if trace.losses else 8.0)
     frame = Frame(13.0, stage.sheet.height - FILM.strip + 5.0, FILM.sheet - 4.0, stage.sheet.height - 6.5)
     if still:
         stage.sheet.words((FILM.sheet / 2, (frame.top + frame.bottom) / 2), NO_SEARCH, 3.2, color=INK)
@@ -64,7 +64,7 @@ def progress_gif(
     return _gif(stage.sheet, painted, size, [*[pause] * (len(chosen) - 1), FILM.hold])
 
 
-class Stage:
+class FrameSheet:
     """The sheet of every frame: floor and walls, and where metres land on it."""
 
     def __init__(self, room: Room, strip: float) -> None:
@@ -94,7 +94,7 @@ def _draw_curve(sheet: Drawing, frame: Frame, trace: Trace) -> None:
 
 
 def _progress_items(
-    scene: Scene, order: Sequence[Asset], snapshot: Snapshot, stage: Stage, curve: tuple[Frame, int]
+    scene: Scene, order: Sequence[Asset], snapshot: Snapshot, stage: FrameSheet, curve: tuple[Frame, int]
 ) -> list[Item]:
     """Return what one frame adds: footprints, names, and the place on the curve."""
     sheet = Drawing(FILM.sheet, stage.sheet.height)
@@ -114,7 +114,7 @@ def _progress_items(
 
 
 def draw_names(
-    scene: Scene, order: Sequence[Asset], poses: Mapping[str, tuple[float, float, float]], stage: Stage
+    scene: Scene, order: Sequence[Asset], poses: Mapping[str, tuple[float, float, float]], stage: FrameSheet
 ) -> list[Item]:
     """Return the names of the things that are large enough to carry theirs."""
     items: list[Item] = []
@@ -296,7 +296,7 @@ class _Film:
     """The unchanging picture of every leg, onto which each frame paints only the body."""
 
     def __init__(self, scene: Scene, layout: Layout, marks: PlanMarks, body: Agent, size: int) -> None:
-        self._stage = Stage(scene.room, FILM.foot)
+        self._stage = FrameSheet(scene.room, FILM.foot)
         sheet = self._stage.sheet
         below = Drawing(FILM.sheet, sheet.height)
         draw_contents(below, Shown(scene, layout, marks, body, self._stage.place))

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
 
-from robolayout.planners import Feedback, Group, Score, poses_text, score_samples
+from robolayout.planners import Feedback, Group, SampleScore, poses_text, score_samples
 from robolayout.program import Statement
 from robolayout.run.diff import without_figures
 from robolayout.run.result import Attempt
@@ -26,7 +26,7 @@ class Sample:
     attempt: int  # how often the group was asked for before, plus one
     number: int  # which of the answers to that question, from 1
     text: str
-    score: Score | None = None  # what it achieves; None if it could not be read
+    score: SampleScore | None = None  # what it achieves; None if it could not be read
     error: str = ""  # why it, or what was left out of it, could not be read
     layout: Layout | None = None  # where it puts the things of the group
     kept: bool = False  # whether this one was taken
@@ -83,7 +83,7 @@ class Candidate:
         if self.forgotten:
             yield f"The program says nothing about {', '.join(self.forgotten)}; the solver found places for them."
 
-    def feedback(self, question: Question) -> str:
+    def feedback(self, question: GroupQuestion) -> str:
         """Return what to tell the model about it: only what this group can change."""
         decisions = self.attempt.reconciled.decisions
         rejected = [d.sentence for d in decisions if d.verdict == "rejected" and d.statement.number in self.own]
@@ -102,7 +102,7 @@ class Candidate:
 
 
 @dataclass
-class Question:
+class GroupQuestion:
     """One group in the room as it stands."""
 
     here: Scene  # the scene with the things of this group and those before it
@@ -140,7 +140,7 @@ class Question:
                     return label, " ".join(why.split()), text
         return None
 
-    def scores(self) -> tuple[Score, ...]:
+    def scores(self) -> tuple[SampleScore, ...]:
         """Return the scores of all candidates."""
         asked = [one.attempt.asked for one in self.candidates]
         return score_samples([one.report.figures for one in self.candidates], asked)

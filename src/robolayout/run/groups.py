@@ -16,7 +16,7 @@ from robolayout._errors import AnswerError, ModelError, ProgramError, Unavailabl
 from robolayout._text import printable
 from robolayout.planners import USELESS, Feedback, Group, GroupPlanner, OfflinePlanner, PlanRequest
 from robolayout.program import Guess, Program, Statement, read_program, read_salvaged
-from robolayout.run.answers import Candidate, Question, Sample
+from robolayout.run.answers import Candidate, GroupQuestion, Sample
 from robolayout.run.diff import without_figures
 from robolayout.run.given import guesses_of
 from robolayout.run.result import Attempt, joined_traces
@@ -28,7 +28,7 @@ if TYPE_CHECKING:
     from robolayout.run.flow import Run
 
 
-Stand = tuple[Question, Candidate]  # a group that is planned: what was asked, in which room, and what was kept
+Stand = tuple[GroupQuestion, Candidate]  # a group that is planned: what was asked, in which room, and what was kept
 
 
 class GroupedRun:
@@ -85,17 +85,17 @@ class GroupedRun:
         ]
         return {"taken_over": self._taken_over, "given_up": self._given_up, "sentences": sentences}
 
-    def _question(self, groups: tuple[Group, ...], stands: list[Stand]) -> Question:
+    def _question(self, groups: tuple[Group, ...], stands: list[Stand]) -> GroupQuestion:
         """Return the question for the last of the groups, in the room as the earlier ones left it."""
         names = {name for group in groups for name in group.items}
         here = replace(self.scene, assets=tuple(asset for asset in self.scene.assets if asset.name in names))
         if not stands:
-            return Question(here, groups[-1], {}, ())
+            return GroupQuestion(here, groups[-1], {}, ())
         last = stands[-1][1]
         known = frozenset(map(without_figures, last.report.violations))
         earlier = tuple(group.label for group in groups[:-1] if group.label not in self._reopened)
         placed, before = dict(last.attempt.solution.layout), last.attempt.asked.statements
-        return Question(here, groups[-1], placed, before, known, earlier)
+        return GroupQuestion(here, groups[-1], placed, before, known, earlier)
 
     def _reopen(self, groups: tuple[Group, ...], stands: list[Stand], wanted: str, why: str, text: str) -> None:
         """Go back to before an earlier group; what was said of the groups after it is tried again before they are asked."""
@@ -121,7 +121,7 @@ class GroupedRun:
                 return replace(last, solution=replace(again.solution, trace=joined_traces(traces)))
         return last
 
-    def _group(self, question: Question) -> Candidate | tuple[str, str, str]:
+    def _group(self, question: GroupQuestion) -> Candidate | tuple[str, str, str]:
         """Ask for one group, tell what was wrong, and ask again; the offline planner takes over if nothing is usable.
 
         Where it wishes that an earlier group be planned again, return that one's label, why, and its own program.
@@ -156,7 +156,7 @@ class GroupedRun:
             self._try(question, [said], self._tries[label])
         return self._kept(question, failure)
 
-    def _kept(self, question: Question, failure: str) -> Candidate:
+    def _kept(self, question: GroupQuestion, failure: str) -> Candidate:
         """Return the best of the answers to a question, or what the offline planner makes of the group."""
         label, best = question.group.label, question.best()
         if best is not None:
@@ -170,7 +170,7 @@ class GroupedRun:
         (attempt,) = self.whole.finished([asked], question.here, question.placed)
         return Candidate(Sample(label, 0, 0, ""), attempt, self._judged(question, attempt))
 
-    def _asked(self, question: Question, feedback: str, previous: str) -> tuple[str, ...] | ModelError:
+    def _asked(self, question: GroupQuestion, feedback: str, previous: str) -> tuple[str, ...] | ModelError:
         """Ask for programs once; the failure if none came."""
         group = question.group
         self._tries[group.label] += 1
@@ -191,7 +191,7 @@ class GroupedRun:
         except ModelError as error:
             return error
 
-    def _try(self, question: Question, texts: Sequence[str], attempt: int) -> tuple[str, str]:
+    def _try(self, question: GroupQuestion, texts: Sequence[str], attempt: int) -> tuple[str, str]:
         """Solve and verify the answers that can be read, together; return what to tell of them, and the program it is about."""
         wrong = ("", "")
         readable: list[tuple[Sample, Program, Program]] = []
@@ -225,7 +225,7 @@ class GroupedRun:
             question.images = {**question.images, "failed": failed}
         return best.feedback(question), best.previous
 
-    def _candidate(self, question: Question, sample: Sample, read: Program, attempt: Attempt) -> Candidate:
+    def _candidate(self, question: GroupQuestion, sample: Sample, read: Program, attempt: Attempt) -> Candidate:
         report = self._judged(question, attempt)
         own: tuple[Statement, ...] = attempt.asked.statements[len(question.before) :]
         told = (*own, *attempt.asked.wishes)
@@ -241,7 +241,7 @@ class GroupedRun:
             self.planner.cut_off(sample.text),
         )
 
-    def _judged(self, question: Question, attempt: Attempt) -> Report:
+    def _judged(self, question: GroupQuestion, attempt: Attempt) -> Report:
         """Return what the judge says, and with everything placed what is met of the places that the user's words ask for."""
         layout = attempt.solution.layout
         with self.clock.station("verify"):

@@ -48,7 +48,7 @@ HANDS = ("gripper", "grasp", "finger", "hand", "tool", "palm", "suction")
 
 
 @dataclass(frozen=True, eq=False)
-class Joint:
+class RobotJoint:
     """What moves one link against another."""
 
     name: str
@@ -78,7 +78,7 @@ class Robot:
 
     name: str
     root: str  # the link that all others hang on; its frame has x ahead and z up
-    joints: tuple[Joint, ...]  # all joints, each after the one that moves its parent
+    joints: tuple[RobotJoint, ...]  # all joints, each after the one that moves its parent
     # (n, 3) corners of the convex hull of a link's collision geometry, in its frame, by link
     hulls: Mapping[str, Array]
     # values of the joints in the pose that its file names; None where it names none
@@ -105,7 +105,7 @@ class Robot:
         ways = spread(FOLDING.sides)
         return {link: hull[np.unique((hull @ ways.T).argmax(axis=0))] for link, hull in self.hulls.items()}
 
-    def beyond(self, joint: Joint) -> set[str]:
+    def beyond(self, joint: RobotJoint) -> set[str]:
         """Return the links that a joint moves."""
         moved = {joint.child}
         for other in self.joints:
@@ -114,9 +114,9 @@ class Robot:
         return moved
 
     @cached_property
-    def _wheels(self) -> tuple[Joint, ...]:
+    def _wheels(self) -> tuple[RobotJoint, ...]:
         """The joints that turn for ever, with something round about their axes."""
-        found: list[Joint] = []
+        found: list[RobotJoint] = []
         for joint in self.joints:
             if joint.kind == "revolute" and joint.high - joint.low >= math.tau - 1e-6 and joint.child in self.hulls:
                 hull = self.hulls[joint.child]
@@ -127,7 +127,7 @@ class Robot:
         return tuple(found)
 
     @cached_property
-    def arms(self) -> tuple[Joint, ...]:
+    def arms(self) -> tuple[RobotJoint, ...]:
         """The joints that move nothing that stands on the ground: its wheels, and where none stands there, all that is lowest."""
         poses = self.poses({})
         ups = {link: poses[link][0, 2] for link in self.hulls}

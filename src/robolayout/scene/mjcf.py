@@ -17,7 +17,7 @@ from scipy.spatial.transform import Rotation
 
 from robolayout._reading import LIMITS, show
 from robolayout.scene._model import Matrix, Model, ball, box, capsule, cylinder, transform
-from robolayout.scene.kinematics import Joint, Kind, Robot, hulls
+from robolayout.scene.kinematics import Kind, Robot, RobotJoint, hulls
 
 Attributes = Mapping[str, str]
 
@@ -33,7 +33,7 @@ class _Body:
 
     name: str
     inner: int = 0  # joints inside it, beside those by which it moves as a whole
-    joints: list[Joint] = field(default_factory=list[Joint])  # all that holds links together, outwards
+    joints: list[RobotJoint] = field(default_factory=list[RobotJoint])  # all that holds links together, outwards
     # points on each link's collision shapes
     clouds: dict[str, list[Matrix]] = field(default_factory=dict[str, list[Matrix]])
 
@@ -150,7 +150,7 @@ class _Reader:
                 fixed = bool(pose[:3, 3].any())
         if fixed:
             up = np.array([0.0, 0.0, 1.0])
-            body.joints.append(Joint(f"{link} (body)", parent, link, pose, "fixed", up, 0.0, 0.0))
+            body.joints.append(RobotJoint(f"{link} (body)", parent, link, pose, "fixed", up, 0.0, 0.0))
         else:
             body.joints[-1] = replace(body.joints[-1], child=link)
         self._inside(element, link, np.eye(4), child_class, body)
@@ -173,7 +173,7 @@ class _Reader:
         self.names.add(f"{kind} {name}")
         return name
 
-    def _joint(self, element: Element, parent: str, pose: Matrix, child_class: str) -> tuple[Joint, Matrix] | None:
+    def _joint(self, element: Element, parent: str, pose: Matrix, child_class: str) -> tuple[RobotJoint, Matrix] | None:
         """Return what a joint moves, and the pose of its body in that; None for what is not moved by one value."""
         said = self._of(element, child_class)
         kind = "free" if element.tag == "freejoint" else said.get("type", "hinge")
@@ -194,7 +194,7 @@ class _Reader:
         at = np.array(self.model.numbers(said.get("pos"), f"{where}, pos", 3))
         moves: Kind = "revolute" if turns else "prismatic"
         child, follows = f"{name} (joint)", self.follows.get(name)
-        joint = Joint(name, parent, child, pose @ transform(at), moves, axis, low, max(low, high), follows)
+        joint = RobotJoint(name, parent, child, pose @ transform(at), moves, axis, low, max(low, high), follows)
         if start := unit * self.model.numbers(said.get("ref", "0"), f"{where}, ref", 1)[0]:
             joint = replace(joint, origin=joint.motion(np.array([-start]))[0])
         return joint, transform(-at)

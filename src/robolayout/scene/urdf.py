@@ -12,7 +12,7 @@ from scipy.spatial.transform import Rotation
 
 from robolayout._reading import show
 from robolayout.scene._model import Matrix, Model, ball, box, cylinder, transform
-from robolayout.scene.kinematics import Joint, Kind, Robot, hulls
+from robolayout.scene.kinematics import Kind, Robot, RobotJoint, hulls
 
 
 def read_urdf(robot: Element, text: str, model: Model) -> Robot:
@@ -48,8 +48,8 @@ def _origin(element: Element, model: Model) -> Matrix:
     return transform(model.numbers(origin.get("xyz"), f"{where}, xyz", 3), turn)
 
 
-def _tree(robot: Element, links: Mapping[str, Element], model: Model) -> tuple[str, tuple[Joint, ...]]:
-    joints: dict[str, list[Joint]] = {}
+def _tree(robot: Element, links: Mapping[str, Element], model: Model) -> tuple[str, tuple[RobotJoint, ...]]:
+    joints: dict[str, list[RobotJoint]] = {}
     parents: dict[str, str] = {}
     for element in _children(robot, "joint", model):
         joint = _joint(element, model)
@@ -63,7 +63,7 @@ def _tree(robot: Element, links: Mapping[str, Element], model: Model) -> tuple[s
     roots = [name for name in links if name not in parents]
     if len(roots) != 1:
         raise model.fail(f"has {len(roots)} root links; a URDF has exactly one link that is no joint's child.")
-    ordered, waiting = list[Joint](), [roots[0]]
+    ordered, waiting = list[RobotJoint](), [roots[0]]
     while waiting:
         further = joints.get(waiting.pop(), [])
         ordered += further
@@ -74,7 +74,7 @@ def _tree(robot: Element, links: Mapping[str, Element], model: Model) -> tuple[s
     return roots[0], tuple(ordered)
 
 
-def _joint(element: Element, model: Model) -> Joint:
+def _joint(element: Element, model: Model) -> RobotJoint:
     """Return one joint; what has no range does not move, and floating and planar joints are fixed."""
     ends = [(end.get("link") or "") if (end := element.find(tag)) is not None else "" for tag in ("parent", "child")]
     name, kind = element.get("name") or "", element.get("type")
@@ -96,7 +96,7 @@ def _joint(element: Element, model: Model) -> Joint:
         )
         follows = (mimic.get("joint") or "", factor, offset)
     moves: Kind = "prismatic" if kind == "prismatic" else "revolute" if kind in ("revolute", "continuous") else "fixed"
-    return Joint(name, ends[0], ends[1], _origin(element, model), moves, along, low, max(low, high), follows)
+    return RobotJoint(name, ends[0], ends[1], _origin(element, model), moves, along, low, max(low, high), follows)
 
 
 def _points(collision: Element, model: Model) -> Matrix:

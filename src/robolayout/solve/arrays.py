@@ -53,7 +53,7 @@ class Arrays(NamedTuple):
     clear_weight: Array  # (G, A) weight of keeping each slot out of each box
 
 
-class Near(NamedTuple):
+class Touching(NamedTuple):
     """What may touch within the next steps."""
 
     pairs: Array  # (M, 2) prisms, or (K, M, 2) each start's own

@@ -24,7 +24,7 @@ from robolayout.constraints.mounted_on import EYE_HEIGHT, MountedOn
 from robolayout.constraints.next_to import NextTo
 from robolayout.constraints.on_top_of import OnTopOf
 from robolayout.constraints.symmetric_pair import SymmetricPair
-from robolayout.floor import Contents
+from robolayout.floor import RoomContents
 from robolayout.program import Guess, Program
 from robolayout.scene import Asset, Layout, Pose, Scene
 from robolayout.solve.build import furnished
@@ -84,9 +84,9 @@ class Problem:
         return np.array([self.guess[name].z for name in self.names])
 
     @cached_property
-    def contents(self) -> Contents:
+    def contents(self) -> RoomContents:
         """What the room holds, for the floor that it leaves to bodies."""
-        return Contents(self.scene, self.parent, self.heights, self.half)
+        return RoomContents(self.scene, self.parent, self.heights, self.half)
 
     @cached_property
     def statement_terms(self) -> tuple[Term, ...]:

@@ -15,14 +15,14 @@ from functools import cached_property
 
 import numpy as np
 
-from robolayout.floor import Ground, Plan, make_ground, plan_routes
+from robolayout.floor import Ground, RoutePlan, make_ground, plan_routes
 from robolayout.scene import Layout
 from robolayout.solve.compile import Floats, Problem
 from robolayout.solve.config import SolverConfig
 from robolayout.solve.push import pushed
 from robolayout.solve.repair import MENDING, Repair
 from robolayout.solve.restore import once_more, restored, squared
-from robolayout.solve.runner import BATCH, STILL, Run, Runner
+from robolayout.solve.runner import BATCH, STILL, Runner, SearchRun
 from robolayout.solve.solution import Judge, Progress, Solution, Verdict, silent
 from robolayout.solve.stage import Stage, make_stage, stages
 
@@ -168,7 +168,7 @@ class Solver:
         """Whether routes are planned for what stands in the room, and some are blocked."""
         return not self.number and self.config.route_rounds > 0 and self.verdict.barred > 0.0
 
-    def _polished(self, stage: Stage, push: Floats) -> Run:
+    def _polished(self, stage: Stage, push: Floats) -> SearchRun:
         """Follow gradients from the guess and from where it is pushed."""
         self._say("polish")
         proposals = self.repair.proposals
@@ -179,7 +179,7 @@ class Solver:
         self._sharpen(stage, run)
         return run
 
-    def _opened(self, stage: Stage, run: Run) -> None:
+    def _opened(self, stage: Stage, run: SearchRun) -> None:
         """Go on with ways kept open to everything, and with what stands in them pushed aside."""
         plans = [self._planned(world, everywhere=True) for world in run.world]
         more = self.runner.advance(stage, run.world, self.config.polish, "routes", plans=plans)
@@ -187,7 +187,7 @@ class Solver:
         self._sharpen(stage, more)
         self._route(stage, run.joined(more))
 
-    def _sharpen(self, stage: Stage, run: Run) -> None:
+    def _sharpen(self, stage: Stage, run: SearchRun) -> None:
         """Try the layouts of a run, best first, each also with what is all but right put exactly right."""
         rows, moving = self.repair.proposals, stage.moving
         self._try(one for world in run.ranked() for one in (pushed(rows, world, moving, most=NEAR), world))
@@ -237,11 +237,11 @@ class Solver:
         if not self.verdict.broken:
             self._near()
 
-    def _built(self, stage: Stage, count: int) -> Run | None:
+    def _built(self, stage: Stage, count: int) -> SearchRun | None:
         """Build and polish so many starts in each batch, and mend single things."""
         if not self.blind:
             self._mend(self.effort.mendings)
-        run: Run | None = None
+        run: SearchRun | None = None
         for _ in range(self.effort.built if count else 0):
             if self._kept or self.spent:
                 break
@@ -266,9 +266,9 @@ class Solver:
         if self.config.trace:
             self.runner.advance(stage, self.world[None], STILL, label)
 
-    def _route(self, stage: Stage, run: Run) -> None:
+    def _route(self, stage: Stage, run: SearchRun) -> None:
         """Push furniture out of the agents' routes, replanning as it moves."""
-        rounds = list[list[Plan]]()
+        rounds = list[list[RoutePlan]]()
         for _ in range(self.config.route_rounds):
             if not self.verdict.broken or self.spent:
                 break
@@ -284,7 +284,7 @@ class Solver:
             if self.gained == before:
                 break
 
-    def _planned(self, world: Floats, *, everywhere: bool = False) -> Plan:
+    def _planned(self, world: Floats, *, everywhere: bool = False) -> RoutePlan:
         """Plan for every agent."""
         return _joined([plan_routes(ground, world, everywhere=everywhere) for ground in self.grounds])
 
@@ -326,7 +326,7 @@ class Solver:
             once_more(self.problem, self.world, no_worse)
 
 
-def _joined(plans: Sequence[Plan]) -> Plan:
+def _joined(plans: Sequence[RoutePlan]) -> RoutePlan:
     """Return several plans as one."""
     demands = [np.empty((0, 4)), *(plan.demands for plan in plans)]
-    return Plan(np.concatenate(demands), sum(plan.blocked for plan in plans))
+    return RoutePlan(np.concatenate(demands), sum(plan.blocked for plan in plans))

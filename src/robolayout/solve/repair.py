@@ -10,7 +10,7 @@ import numpy as np
 
 from robolayout._geometry import compose
 from robolayout.constraints import AssetRef, MirrorTerm, WallRef
-from robolayout.floor import Plan
+from robolayout.floor import RoutePlan
 from robolayout.solve.compile import Floats, Problem
 from robolayout.solve.config import SolverConfig
 from robolayout.solve.construct import Builder
@@ -54,7 +54,7 @@ class Repair:
         self.proposals = self.builder.proposals
         self.groups = _groups(self.problem)
 
-    def near(self, world: Floats, slot: int, plan_for: Callable[[Floats], Plan]) -> Iterator[Floats]:
+    def near(self, world: Floats, slot: int, plan_for: Callable[[Floats], RoutePlan]) -> Iterator[Floats]:
         """Yield layouts in which one thing is elsewhere, as near to its guess as can be, the others of its stage making way."""
         stage, plan = self.stages[self.problem.stage[slot]].at(world), plan_for(world)
         score, group = Score(stage, self.config.weights), frozenset(self.groups[slot])
@@ -66,7 +66,7 @@ class Repair:
         yield from run.ranked()
 
     def _elsewhere(
-        self, score: Score, world: Floats, slot: int, plan: Plan, along: frozenset[int]
+        self, score: Score, world: Floats, slot: int, plan: RoutePlan, along: frozenset[int]
     ) -> tuple[Floats, Floats]:
         """Return the most promising layouts with a thing, and what goes along with it, elsewhere near its guess; and their costs."""
         free = not any(term.heading is not None or term.look is not None for term in self.proposals.rows(slot))

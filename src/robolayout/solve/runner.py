@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from robolayout.floor import Plan
+from robolayout.floor import RoutePlan
 from robolayout.scene import Scene, Snapshot, Trace
 from robolayout.solve import programs
 from robolayout.solve.arrays import HISTORY, SNAPSHOTS, Losses, hard_part
@@ -32,25 +32,25 @@ BATCH = 4
 """Starts that run at once; more run in several batches side by side, so that one compiled program serves them all."""
 
 
-class Run(NamedTuple):
+class SearchRun(NamedTuple):
     """What one run of the search left."""
 
     world: Floats  # (K, n, 4) poses
     energy: Floats  # (K,) objective at full weights
     hard: Floats  # (K,) hard part of it
 
-    def joined(self, other: Run) -> Run:
+    def joined(self, other: SearchRun) -> SearchRun:
         """Return both runs as one."""
-        return Run(*map(np.concatenate, zip(self, other, strict=True)))
+        return SearchRun(*map(np.concatenate, zip(self, other, strict=True)))
 
     def ranked(self) -> Floats:
         """Return the poses (K, n, 4), best first."""
         return self.best(len(self.world)).world
 
-    def best(self, count: int) -> Run:
+    def best(self, count: int) -> SearchRun:
         """Return its best starts, best first: hard part to 1e-3, then the whole."""
         first = np.lexsort((self.energy, np.round(self.hard, 3)))[:count]
-        return Run(*(field[first] for field in self))
+        return SearchRun(*(field[first] for field in self))
 
 
 class Runner:
@@ -68,8 +68,8 @@ class Runner:
         phase: SearchConfig,
         label: str,
         *,
-        plans: Sequence[Plan] = (),
-    ) -> Run:
+        plans: Sequence[RoutePlan] = (),
+    ) -> SearchRun:
         """Run one phase from world poses (K, n, 4), in batches side by side; `plans` are the routes of each."""
 
         def run(part: slice) -> list[Any]:
@@ -82,9 +82,9 @@ class Runner:
         runs = [self._run(stage, world[part], *found[1:-2]) for part, found in zip(parts, results, strict=True)]
         if self.config.trace and label:
             self._record(stage, label, phase.steps, *results[0][-2:])
-        return Run(*map(np.concatenate, zip(*runs, strict=True)))
+        return SearchRun(*map(np.concatenate, zip(*runs, strict=True)))
 
-    def _run(self, stage: Stage, world: Floats, after: Floats, *parts: Floats) -> Run:
+    def _run(self, stage: Stage, world: Floats, after: Floats, *parts: Floats) -> SearchRun:
         """Return what became of a batch, headings of exact length 1; what the stage does not move or carry stays bit for bit."""
         result, count = world.copy(), len(world)
         moved = sorted({*np.flatnonzero(stage.arrays.carrier >= 0).tolist(), *stage.moving})
@@ -92,7 +92,7 @@ class Runner:
         result[..., 2:] /= np.hypot(result[..., 2], result[..., 3])[..., None]
         losses = Losses(*(part[:count].astype(np.float64) for part in parts))
         hard = hard_part(losses, self.config.weights)
-        return Run(result, hard + losses.statements, hard)
+        return SearchRun(result, hard + losses.statements, hard)
 
     def _record(self, stage: Stage, label: str, steps: int, history: Floats, shots: Floats) -> None:
         """Keep the losses of the best start of a batch, and its poses at 20 moments; at one where nothing moved."""
@@ -110,7 +110,7 @@ class Runner:
         return Trace(tuple(self._losses), tuple(self._shots))
 
 
-def _arguments(stage: Stage, world: Floats, phase: SearchConfig, plans: Sequence[Plan] = ()) -> tuple[Any, ...]:
+def _arguments(stage: Stage, world: Floats, phase: SearchConfig, plans: Sequence[RoutePlan] = ()) -> tuple[Any, ...]:
     """Return what the program takes for one batch, filled up by repeating the last start; of too many demands an even choice."""
     fill, size = np.minimum(np.arange(BATCH), len(world) - 1), 8 * stage.slots
     routes = no_routes(BATCH, size)

@@ -34,7 +34,7 @@ EXACT = 1e-3
 """Metres by which a hard demand may be missed before it counts as broken, as the judge has it."""
 
 
-class _Rows(NamedTuple):
+class _SlotRows(NamedTuple):
     """The rows of the objective that concern one slot."""
 
     frames: Index
@@ -93,7 +93,7 @@ class Score:
         hit = (self._overlaps(slot, poses, world, pairs) > self._weights.margin + EXACT).any(axis=0)
         return set(self._arrays.prism_slot[pairs[hit, 1]].tolist())
 
-    def _sought(self, slot: int) -> _Rows:
+    def _sought(self, slot: int) -> _SlotRows:
         """Return the rows of a slot; `_about` looks for them once."""
         arrays = self._arrays
         framed = (arrays.frame_index == slot).any(axis=1) & (arrays.frame_row[:, -1] > 0.0)
@@ -102,7 +102,7 @@ class Score:
         ours = [arrays.pairs[real & (of[:, side] == slot)][:, [side, 1 - side]] for side in (0, 1)]
         clears = np.argwhere(arrays.clear_weight > 0.0)
         clears = clears[(clears[:, 1] == slot) | (arrays.clear_owner[clears[:, 0]] == slot)]
-        return _Rows(np.flatnonzero(framed), np.flatnonzero(mirrored), np.concatenate(ours), clears)
+        return _SlotRows(np.flatnonzero(framed), np.flatnonzero(mirrored), np.concatenate(ours), clears)
 
     def _known(self, slot: int, settled: Mask) -> Mask:
         """Return which slots, padding included, and fixed bodies have their place."""

@@ -29,7 +29,7 @@ from robolayout.solve.arrays import (
     SNAPSHOTS,
     Arrays,
     Losses,
-    Near,
+    Touching,
     boundary_depths,
     hard,
     hard_part,
@@ -101,14 +101,14 @@ def overlap_losses(body: Body, arrays: Arrays, pairs: Array, weights: Weights) -
     return weights.iou * jnp.where(same, 0.0, intersection_over_union(sized, second))
 
 
-def everything(arrays: Arrays) -> Near:
+def everything(arrays: Arrays) -> Touching:
     """Return all pairs of prisms, and all of clear boxes and slots."""
     boxes, slots = arrays.clear_weight.shape
     grid = jnp.stack(jnp.meshgrid(jnp.arange(boxes), jnp.arange(slots), indexing="ij"), axis=-1)
-    return Near(arrays.pairs, grid.reshape(-1, 2))
+    return Touching(arrays.pairs, grid.reshape(-1, 2))
 
 
-def losses(local: Poses, arrays: Arrays, routes: Array, near: Near, weights: Weights) -> Losses:
+def losses(local: Poses, arrays: Arrays, routes: Array, near: Touching, weights: Weights) -> Losses:
     """Return every term of the objective per start, looking only at what may touch."""
     body = bodies(world_poses(local, arrays), arrays)
     pull = statement_losses(partial(take, body), arrays, weights)
@@ -142,7 +142,7 @@ def total(parts: Losses, weights: Weights, routes: Array | float = 1.0) -> Array
     return parts.statements + hard_part(parts, weights, routes)
 
 
-def nearest(local: Array, arrays: Arrays) -> Near:
+def nearest(local: Array, arrays: Arrays) -> Touching:
     """Return for each start the pairs that are nearest to touching: of prisms, and of clear boxes and slots."""
     table = bodies(world_poses(local, arrays), arrays)
     apart = overlap_gaps(table, arrays, arrays.pairs)
@@ -151,7 +151,7 @@ def nearest(local: Array, arrays: Arrays) -> Near:
     slots = Body(*(field[:, None, : arrays.half.shape[0]] for field in table))
     out = jnp.where(arrays.clear_weight > 0.0, separation(boxes, slots), jnp.inf)
     whole, count = everything(arrays), arrays.half.shape[0]
-    return Near(
+    return Touching(
         _smallest(apart, whole.pairs, PAIRS_PER_SLOT * count),
         _smallest(out.reshape(len(local), -1), whole.clears, CLEARS_PER_SLOT * count),
     )
@@ -195,7 +195,7 @@ def advance(local: Array, arrays: Arrays, routes: Array, phase: Array, *, weight
     """
     steps, first_rate, final_rate = phase[0].astype(jnp.int32), phase[1], phase[2]
 
-    def objective(value: Array, near: Near, fade: Array) -> tuple[Array, Losses]:
+    def objective(value: Array, near: Touching, fade: Array) -> tuple[Array, Losses]:
         parts = losses(value, arrays, routes, near, weights)
         return jnp.sum(total(parts, weights, fade)), parts
 
@@ -205,7 +205,7 @@ def advance(local: Array, arrays: Arrays, routes: Array, phase: Array, *, weight
         rate = final_rate + (first_rate - final_rate) * 0.5 * (1.0 + jnp.cos(jnp.pi * done))
         renew = (i % REFRESH == 0) | (i == steps)
         fade = jnp.clip((FADED - done) / FADING, 0.0, 1.0)
-        near = cond(renew, partial(nearest, local, arrays), partial(Near, *near))
+        near = cond(renew, partial(nearest, local, arrays), partial(Touching, *near))
         gradient, parts = jax.grad(objective, has_aux=True)(local, near, fade)
         gradient = _tangent(local, gradient) * arrays.free
         first = 0.9 * first + 0.1 * gradient

@@ -56,7 +56,7 @@ Places = Callable[[float], Iterable[tuple[str, bytes]]]
 
 
 @dataclass(frozen=True, eq=False)
-class Move:
+class LatticeMove:
     """What a body does from one place of the lattice to the next."""
 
     step: tuple[int, int]  # cells along x and y
@@ -92,7 +92,7 @@ def _axes(heading: float) -> NDArray[np.float64]:
 class _Sweeps:
     """What a body does from the places of a lattice, and the convex shapes that it sweeps, a move and its way back being one."""
 
-    moves: tuple[tuple[Move, ...], ...]  # by heading
+    moves: tuple[tuple[LatticeMove, ...], ...]  # by heading
     shapes: tuple[NDArray[np.float64], ...]  # corners (m, 2) of each, metres from the place where the move begins
     # by heading and move, which shape that is, and how many cells from the place where it begins
     of: tuple[tuple[tuple[int, tuple[int, int]], ...], ...]
@@ -326,17 +326,17 @@ def _cell(agent: Agent, room: Room) -> float:
     return tight / math.ceil(tight / cell) if tight > 0 else cell
 
 
-def _moves(number: int, cell: float, radius: float) -> Iterator[Move]:
+def _moves(number: int, cell: float, radius: float) -> Iterator[LatticeMove]:
     """Yield the moves from a heading: straight on; to either side a line, an arc of at least a radius, and a line, or on the spot."""
     ahead, angle = np.array(DIRECTIONS[number]), ANGLES[number]
     straight = ahead * cell
-    yield Move(DIRECTIONS[number], 0, math.hypot(*straight), np.array([(*straight, angle)]))
+    yield LatticeMove(DIRECTIONS[number], 0, math.hypot(*straight), np.array([(*straight, angle)]))
     for turn in (1, -1):
         after = np.array(DIRECTIONS[(number + turn) % TURNS])
         bend = math.remainder(ANGLES[(number + turn) % TURNS] - angle, math.tau)
         part = np.linspace(0.0, bend, math.ceil(abs(bend) / LATTICE.sample) + 1)
         if radius == 0.0:
-            yield Move((0, 0), turn, LATTICE.pivot, np.column_stack([0.0 * part, 0.0 * part, angle + part])[1:])
+            yield LatticeMove((0, 0), turn, LATTICE.pivot, np.column_stack([0.0 * part, 0.0 * part, angle + part])[1:])
         units = [math.hypot(*way) * cell for way in (ahead, after)]
         tangent = radius * math.tan(abs(bend) / 2)
         counts = [max(1, math.ceil(tangent / unit - 1e-9)) for unit in units]
@@ -349,7 +349,7 @@ def _moves(number: int, cell: float, radius: float) -> Iterator[Move]:
         step = counts[0] * ahead + counts[1] * after
         poses = [*np.column_stack([arc, angle + part]), (*(step * cell), angle + bend)]
         length = sum(count * unit - near for count, unit in zip(counts, units, strict=True)) + true * abs(bend)
-        yield Move((int(step[0]), int(step[1])), turn, length, np.array(poses))
+        yield LatticeMove((int(step[0]), int(step[1])), turn, length, np.array(poses))
 
 
 def _straightened(poses: Sequence[Pose]) -> Iterator[Pose]:

@@ -28,7 +28,7 @@ from robolayout.verify._boxes import boxes, room_polygon
 from robolayout.verify._obstacles import Obstacles, obstacles
 from robolayout.verify._space import all_free, components, disc_space, opened
 from robolayout.verify.limits import FINE
-from robolayout.verify.routes import Mesh, cheapest, nearest_place
+from robolayout.verify.routes import Triangulation, cheapest, nearest_place
 
 Region = tuple[float, BaseGeometry]  # a heading in radians (0 for a disc), and where the centre can be
 Node = tuple[int, int]  # a piece of free space: number of its heading, and its own among those of that heading
@@ -252,7 +252,7 @@ class _Planner:
     """The cheapest ways over pieces and turns from a start, found once for all places."""
 
     def __init__(self, room: Room, space: HeadingSpace, source: Node) -> None:
-        self._space, self._mesh = space, cache(Mesh)
+        self._space, self._mesh = space, cache(Triangulation)
         links = [link for a, b, place in space.links for link in ((a, b, place, 1), (b, a, place, -1))]
 
         def turns(node: Node, at: Point) -> Iterator[tuple[Node, Point, int]]:

@@ -73,7 +73,7 @@ def find_routes(room: Room, space: Space, goals: Mapping[str, Polygon]) -> dict[
     start = entry_point(room, space)
     if start is None or not goals:
         return {}
-    mesh = Mesh(space.main)
+    mesh = Triangulation(space.main)
     tree = mesh.search(start)
     result: dict[str, Route] = {}
     for name, footprint in goals.items():
@@ -112,7 +112,7 @@ def cheapest(
     return tree
 
 
-class Mesh:
+class Triangulation:
     """The triangles of a polygon and who neighbours whom."""
 
     def __init__(self, polygon: Polygon) -> None:

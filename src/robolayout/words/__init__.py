@@ -2,13 +2,13 @@
 
 from robolayout.words._lexicon import KIN, Lexicon, dressing, grammar
 from robolayout.words._places import COMPASS, walls_meant
-from robolayout.words._said import Link, Mention, Place, Thing, mentions, named, place_in, sides
+from robolayout.words._said import Link, Mention, NamedThing, Place, mentions, named, place_in, sides
 from robolayout.words._tokens import Measure
 from robolayout.words._ways import visits
 from robolayout.words.demands import Demand
 from robolayout.words.ledger import AskedRow, Wishes, read_words, share_met
 from robolayout.words.reading import Reading, read_text, sized
-from robolayout.words.rooms import Rooms, RoomType, read_rooms
+from robolayout.words.rooms import RoomType, RoomTypes, read_rooms
 
 __all__ = [
     "COMPASS",
@@ -19,11 +19,11 @@ __all__ = [
     "Link",
     "Measure",
     "Mention",
+    "NamedThing",
     "Place",
     "Reading",
     "RoomType",
-    "Rooms",
-    "Thing",
+    "RoomTypes",
     "Wishes",
     "dressing",
     "grammar",

@@ -14,7 +14,7 @@ from robolayout.scene import Scene
 from robolayout.words import _ways as ways_of
 from robolayout.words._places import AtPlaces, centre, rectangle, walls_meant
 from robolayout.words._rows import ToldRows, alike, in_rows, neighbours, on_a_wall
-from robolayout.words._said import Link, Mention, Place, Thing, mentions, named, place_in, places
+from robolayout.words._said import Link, Mention, NamedThing, Place, mentions, named, place_in, places
 from robolayout.words.demands import Demand, by_ways, single, stated
 
 
@@ -48,7 +48,7 @@ class Asked:
 class Demander(AtPlaces):
     """Turns links into demands on a scene."""
 
-    def __init__(self, scene: Scene, names: Mapping[Thing, tuple[str, ...]], links: Sequence[Link]) -> None:
+    def __init__(self, scene: Scene, names: Mapping[NamedThing, tuple[str, ...]], links: Sequence[Link]) -> None:
         super().__init__(scene)
         self.names = names
         # of these only the first stands where they are put

@@ -47,7 +47,7 @@ class Furnished:
 
 
 @dataclass(frozen=True)
-class Row:
+class Unjudged:
     """A phrase before a layout is known: `judge` says how it stands in one."""
 
     words: str
@@ -83,9 +83,9 @@ def shown(item: Item) -> str:
     return item.thing.noun.said
 
 
-def unread(words: str, why: str) -> Row:
+def unread(words: str, why: str) -> Unjudged:
     """Return the row of words that were not understood."""
-    return Row(words, "not understood", why, lambda room: ("not understood", ""))
+    return Unjudged(words, "not understood", why, lambda room: ("not understood", ""))
 
 
 def found(alike: bool, said: str) -> Finding:
@@ -93,14 +93,14 @@ def found(alike: bool, said: str) -> Finding:
     return ("met" if alike else "not judged"), said or "nothing is said of it"
 
 
-def mood(word: str) -> Row:
+def mood(word: str) -> Unjudged:
     """Return the row of a word of taste: two moods can be judged, the others cannot."""
     lists = grammar()
     if word.lower() in lists.airy:
-        return Row(word, "style", f"furniture takes at most {AIRY:.0%} of the floor", airy)
+        return Unjudged(word, "style", f"furniture takes at most {AIRY:.0%} of the floor", airy)
     if word.lower() in lists.cosy["words"]:
-        return Row(word, "style", "something soft and a warm light", cosy)
-    return Row(word, "style", "a matter of taste", taste)
+        return Unjudged(word, "style", "something soft and a warm light", cosy)
+    return Unjudged(word, "style", "a matter of taste", taste)
 
 
 def airy(room: Furnished) -> Finding:

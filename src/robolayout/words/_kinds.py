@@ -8,7 +8,7 @@ from robolayout.assets import CATALOGUE
 from robolayout.assets.lexicon import phrase_index
 from robolayout.scene import FLAT_HEIGHT
 from robolayout.words import _function_words as small
-from robolayout.words._said import Link, Parsed, Place, Thing, mentions
+from robolayout.words._said import Link, NamedThing, Parsed, Place, mentions
 from robolayout.words._ways import AT_SIDES, BEARING, SEATS, TOPS
 
 WATCHING = ("front", "facing", "opposite", "around")
@@ -43,7 +43,7 @@ def settle_kinds(parsed: Parsed) -> None:
         _settle_by_place(link)
 
 
-def _take(thing: Thing, kind: str) -> None:
+def _take(thing: NamedThing, kind: str) -> None:
     """Take a thing for one of a kind, whatever else its noun means."""
     thing.noun = replace(thing.noun, words=kind, kind=kind, others=())
 

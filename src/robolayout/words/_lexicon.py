@@ -16,7 +16,7 @@ from robolayout.assets.lexicon import phrase_index, singular
 from robolayout.assets.palette import LOOKS
 from robolayout.scene import Scene
 from robolayout.words._function_words import ALIKE, BEFORE_NOUNS, JOINED
-from robolayout.words.rooms import Rooms
+from robolayout.words.rooms import RoomTypes
 
 _KIN = "crib bed, cot bed, cradle bed, loveseat sofa, couch sofa, settee sofa, recliner armchair, chandelier lamp"
 KIN = {thing: other for thing, other in (pair.split() for pair in _KIN.split(", "))}
@@ -112,7 +112,7 @@ class Noun:
 class Lexicon:
     """All nouns of room types, bodies, own categories, and of what stands in a scene already."""
 
-    def __init__(self, rooms: Rooms, own: tuple[Category, ...] = (), scene: Scene | None = None) -> None:
+    def __init__(self, rooms: RoomTypes, own: tuple[Category, ...] = (), scene: Scene | None = None) -> None:
         self.own = {word: thing.name for thing in own for word in (thing.name, *thing.synonyms)}
         self.there: dict[str, str] = {}
         if scene is not None:

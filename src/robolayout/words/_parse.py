@@ -15,7 +15,7 @@ from robolayout.words._chunk import NOTHING, Chunk
 from robolayout.words._leftover import leftover
 from robolayout.words._lexicon import grammar
 from robolayout.words._relations import AIDS, Relating
-from robolayout.words._said import Link, Mention, Parsed, Place, Thing, mentions, place_in, place_of, sides
+from robolayout.words._said import Link, Mention, NamedThing, Parsed, Place, mentions, place_in, place_of, sides
 from robolayout.words._tokens import count_of
 from robolayout.words._ways import SEATS, TOPS
 
@@ -184,7 +184,7 @@ class Parser(Relating):
         elif chunk.value == "each" and self.group:
             self._one_each(self.group[-1].thing)
 
-    def _one_each(self, thing: Thing) -> None:
+    def _one_each(self, thing: NamedThing) -> None:
         """What each of the things before has, or each of those for whom the room is: "two tables with four chairs each"."""
         if not self.holder:
             thing.everyones = True

@@ -8,7 +8,7 @@ from dataclasses import replace
 from robolayout.words import _function_words as small
 from robolayout.words._chunk import Chunk
 from robolayout.words._lexicon import grammar
-from robolayout.words._said import ONE_EACH, Item, Link, Mention, Place, Thing, mentions, named, place_in, places
+from robolayout.words._said import ONE_EACH, Item, Link, Mention, NamedThing, Place, mentions, named, place_in, places
 from robolayout.words._spoken import Spoken
 from robolayout.words._tokens import APART
 from robolayout.words._ways import OTHER_SIDE, SEATS, SLEPT_ON
@@ -44,7 +44,7 @@ class References(Spoken):
         some = chunk.det == "one"  # "one of the two beds"
         number, number_of = (chunk.total, number) if some else (number, None)
         plural = chunk.plural or (chunk.det == "each" and number is None)
-        made = Thing(chunk.noun, number, chunk.bound, plural, chunk.adjectives, [(chunk.start, chunk.end)])
+        made = NamedThing(chunk.noun, number, chunk.bound, plural, chunk.adjectives, [(chunk.start, chunk.end)])
         made.rows, made.definite = chunk.rows, definite
         made.sizes += chunk.sizes
         self.said.things.append(made)
@@ -94,7 +94,7 @@ class References(Spoken):
             return slice(0, many) if chunk.det == "first" else slice(count - many, count)
         return slice(told[0], told[0] + 1) if told else None
 
-    def _known(self, chunk: Chunk, *, target: bool) -> Thing | None:
+    def _known(self, chunk: Chunk, *, target: bool) -> NamedThing | None:
         """Return the thing named before that a noun phrase means; the one named last where several fit."""
         assert chunk.noun is not None
         bare = not chunk.det and chunk.number is None
@@ -132,7 +132,7 @@ class References(Spoken):
         new = chunk.det == "new" and not 0 < self.dealt.get(last, 0) < last.count
         return None if new or (told and chunk.det not in small.NAMED) else last
 
-    def _has_so_many(self, thing: Thing, det: str) -> bool:
+    def _has_so_many(self, thing: NamedThing, det: str) -> bool:
         """Return whether there is a thing of a number; what begins with "the first sofa" goes on with "the second"."""
         index = small.ORDINALS.index(det) % 3 if det in small.ORDINALS else 0
         if index and thing.definite and thing.number is None and not thing.plural:

@@ -27,7 +27,7 @@ IN_PAIRS = frozenset(("curtain", "blinds", "parallel bar"))
 
 
 @dataclass(eq=False)
-class Thing:
+class NamedThing:
     """One kind of thing that is named, and how many of it."""
 
     noun: Noun  # what it is
@@ -101,7 +101,7 @@ class Thing:
 class Mention:
     """A thing where it is named."""
 
-    thing: Thing
+    thing: NamedThing
     pick: slice | None = None  # which of several; None is all of them
     det: str = ""  # the article
 
@@ -186,7 +186,7 @@ class Link:
     metres: tuple[float, float] = (0.0, 0.0)
     rows: int = 0  # rows or columns that are said, 0 if none are
 
-    def had(self, own: Set[Thing], to: Set[Thing] | None) -> bool:
+    def had(self, own: Set[NamedThing], to: Set[NamedThing] | None) -> bool:
         """Return whether it only says that one of some things has a thing (any, for None)."""
         has = to is None or bool(named(self.objects) & to)
         return has and self.relation == "with" and self.subjects[0].thing in own
@@ -196,7 +196,7 @@ class Link:
 class Parsed:
     """Everything that a text says."""
 
-    things: list[Thing] = field(default_factory=list[Thing])  # in the order in which they are named
+    things: list[NamedThing] = field(default_factory=list[NamedThing])  # in the order in which they are named
     links: list[Link] = field(default_factory=list[Link])  # relations, in order
     # nouns that must not be there, with their spans
     refused: list[tuple[Noun, tuple[int, int]]] = field(default_factory=list[tuple[Noun, tuple[int, int]]])
@@ -213,7 +213,7 @@ def mentions(items: Iterable[Item]) -> list[Mention]:
     return [item for item in items if isinstance(item, Mention)]
 
 
-def named(items: Iterable[Item]) -> set[Thing]:
+def named(items: Iterable[Item]) -> set[NamedThing]:
     """Return the things among some items."""
     return {item.thing for item in mentions(items)}
 

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field, replace
 from robolayout.words import _function_words as small
 from robolayout.words._chunk import NOTHING, Chunk
 from robolayout.words._lexicon import grammar
-from robolayout.words._said import Item, Link, Mention, Parsed, Thing, mentions, named, place_in, place_of
+from robolayout.words._said import Item, Link, Mention, NamedThing, Parsed, mentions, named, place_in, place_of
 from robolayout.words._ways import OTHER_SIDE, SLEPT_ON
 
 AXES = {
@@ -20,7 +20,7 @@ AXES = {
 
 
 @dataclass(eq=False)
-class Zone:
+class RoomPart:
     """A part of the room."""
 
     things: list[Mention] = field(default_factory=list[Mention])  # what was first named as being there
@@ -45,13 +45,13 @@ class Spoken:
     def __init__(self, chunks: Sequence[Chunk]) -> None:
         self.chunks = list(chunks)
         self.said = Parsed()
-        self.zones: dict[str, Zone] = {}
-        self.zone: Zone | None = None  # the part of the room that this sentence is about
+        self.zones: dict[str, RoomPart] = {}
+        self.zone: RoomPart | None = None  # the part of the room that this sentence is about
         self.at = 0
         self.before: list[Mention] = []
         self.spoken: list[Mention] = []  # all that the last sentence named
         self.pending: list[Mention] = []
-        self.dealt: dict[Thing, int] = {}
+        self.dealt: dict[NamedThing, int] = {}
         self.about: list[Mention] = []  # what the relation that is being read is about
         self.kept: list[Mention] = []  # what the last "it" stood for, or the head of the sentence led to
         self.contrast: tuple[str, list[Mention]] = ("", [])  # the other side than the last one, and of what
@@ -86,7 +86,7 @@ class Spoken:
         name = " ".join((*chunk.adjectives, chunk.value)).split()[0]
         half = chunk.value == "side" and bool({*chunk.adjectives} & {*grammar().walls})
         if self.zone is None or not self.zone.half:  # "the front half is a play area with a rug"
-            self.zone = self.zones.setdefault(name, Zone())
+            self.zone = self.zones.setdefault(name, RoomPart())
         if half:
             self.zone.half, self.zone.place = True, (replace(chunk, kind="rel", value="in"), [place_of(chunk)])
         self.fronted = None if self.group else self.fronted
@@ -140,11 +140,11 @@ class Spoken:
             return self._several_meant(held if len(held) > 1 else earlier, to)
         return self._kept(word, relation, own) or self._last(word, relation, earlier, to)
 
-    def _last_of(self, heads: Sequence[str], own: set[Thing]) -> list[Mention]:
+    def _last_of(self, heads: Sequence[str], own: set[NamedThing]) -> list[Mention]:
         """Return what was named last of things with some last words, `own` aside; nothing where there is none."""
         return [Mention(thing) for thing in self.said.things if thing.head in heads and thing not in own][-1:]
 
-    def _kept(self, word: str, relation: str, own: set[Thing]) -> list[Mention]:
+    def _kept(self, word: str, relation: str, own: set[NamedThing]) -> list[Mention]:
         """Return what the last "it" stood for where this one stands for the same."""
         side, of = self.contrast
         if word == "it" and relation == side and of and of[0].thing not in own:

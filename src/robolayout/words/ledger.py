@@ -19,10 +19,10 @@ from robolayout.scene import Asset, Layout, Scene
 from robolayout.words import _judged as as_row
 from robolayout.words._chunk import Chunk
 from robolayout.words._demander import Demander
-from robolayout.words._judged import Finding, Furnished, Row, Verdict, met
+from robolayout.words._judged import Finding, Furnished, Unjudged, Verdict, met
 from robolayout.words._lexicon import KIN, Lexicon, grammar, plain
 from robolayout.words._places import openings, walls_meant
-from robolayout.words._said import Link, Place, Thing, mentions, place_in
+from robolayout.words._said import Link, NamedThing, Place, mentions, place_in
 from robolayout.words._tokens import Measure
 from robolayout.words.demands import Demand
 from robolayout.words.reading import Reading, read_text
@@ -49,7 +49,7 @@ class AskedRow:
 class Wishes:
     """Everything that a scene's words ask for."""
 
-    rows: tuple[Row, ...] = ()  # one row for each phrase
+    rows: tuple[Unjudged, ...] = ()  # one row for each phrase
 
     @property
     def demands(self) -> tuple[Demand, ...]:
@@ -93,10 +93,10 @@ def read_words(scene: Scene) -> Wishes:
     if not text.strip():
         return Wishes()
     lexicon = Lexicon(read_rooms(), scene=scene)
-    return Wishes(tuple(_Rows(scene, read_text(text, lexicon)).rows()))
+    return Wishes(tuple(_RowMaker(scene, read_text(text, lexicon)).rows()))
 
 
-class _Rows:
+class _RowMaker:
     """Makes the rows of a text for a scene."""
 
     def __init__(self, scene: Scene, reading: Reading) -> None:
@@ -104,7 +104,7 @@ class _Rows:
         self.names = stand_ins(scene, reading.parsed.things)
         self.demander = Demander(scene, self.names, reading.parsed.links)
 
-    def rows(self) -> Iterator[Row]:
+    def rows(self) -> Iterator[Unjudged]:
         """Yield facts about the room, counts, relations, refusals, and what was not understood."""
         yield from self._facts()
         parsed = self.reading.parsed
@@ -128,16 +128,16 @@ class _Rows:
             yield self._refusal(noun.words, noun.kind, self.reading.span(*span))
         yield from self._unread()
 
-    def _unread(self) -> Iterator[Row]:
+    def _unread(self) -> Iterator[Unjudged]:
         """Yield what was not understood."""
         for chunk in self.reading.parsed.missed:
             yield as_row.unread(self.reading.span(chunk.start, chunk.end), "no word list has it")
         for word in self.reading.unknown:
-            yield Row(word, "style", "said of a thing that is known; no word list has it", as_row.taste)
+            yield Unjudged(word, "style", "said of a thing that is known; no word list has it", as_row.taste)
         if self.reading.unread:
             yield as_row.unread("...", f"{self.reading.unread} further characters were not read")
 
-    def _facts(self) -> Iterator[Row]:
+    def _facts(self) -> Iterator[Unjudged]:
         for chunk in self.reading.parsed.facts:
             words = self.reading.span(chunk.start, chunk.end)
             if chunk.kind == "room":
@@ -145,39 +145,41 @@ class _Rows:
             elif chunk.measure is not None:
                 kind, judge = chunk.measure.kind, partial(as_row.measured, chunk.measure)
                 named = "style" if kind == "grid" else f"room {kind}"
-                yield Row(words, named, f"{kind} {chunk.measure.shown}", judge)
+                yield Unjudged(words, named, f"{kind} {chunk.measure.shown}", judge)
             elif chunk.kind == "body":
-                yield Row(words, "body", f"for {chunk.value}", partial(as_row.bodied, chunk.value))
+                yield Unjudged(words, "body", f"for {chunk.value}", partial(as_row.bodied, chunk.value))
             elif chunk.kind == "seats":
                 people = chunk.number or 0
-                yield Row(words, "count", f"chairs or other seats for {people}", partial(as_row.seated, people))
+                yield Unjudged(words, "count", f"chairs or other seats for {people}", partial(as_row.seated, people))
             elif chunk.kind in ("people", "users"):
-                yield Row(words, "people", "who uses the room", as_row.as_given)
+                yield Unjudged(words, "people", "who uses the room", as_row.as_given)
             elif chunk.kind == "corner":
-                yield Row(words, "relation", f"what belongs to a {chunk.value}", as_row.as_given)
+                yield Unjudged(words, "relation", f"what belongs to a {chunk.value}", as_row.as_given)
             elif chunk.kind != "style":
-                yield Row(words, chunk.kind, "what it is good for or made of", as_row.taste)
+                yield Unjudged(words, chunk.kind, "what it is good for or made of", as_row.taste)
 
-    def _room(self, chunk: Chunk, words: str) -> Row:
+    def _room(self, chunk: Chunk, words: str) -> Unjudged:
         """Return the row of a room, or of a part of the one that is laid out."""
         if words.lower().endswith(as_row.ZONES):
-            return Row(words, "function", "a part of the room", as_row.taste)
+            return Unjudged(words, "function", "a part of the room", as_row.taste)
         if chunk.det != "the" and chunk.value not in ("room", self.reading.room):
             return as_row.unread(words, f"one room is laid out, the {self.reading.room}")
         guessed = self.reading.guessed and chunk is self.reading.placed
         nearest = "the nearest room type to it," if guessed else "a"
-        return Row(words, "room type", f"{nearest} {chunk.value}", as_row.as_given)
+        return Unjudged(words, "room type", f"{nearest} {chunk.value}", as_row.as_given)
 
-    def _taste(self, word: str) -> Row:
+    def _taste(self, word: str) -> Unjudged:
         """Return the row of a word of taste: some can be measured, some drawn, of the others nothing is known."""
         if word == self.reading.style:
-            return Row(word, "style", "colours and materials of the whole room", as_row.as_given)
+            return Unjudged(word, "style", "colours and materials of the whole room", as_row.as_given)
         if word.endswith(" floor") and self.reading.floor:
             floor = self.reading.floor
-            return Row(word, "style", floor, lambda it: as_row.found(it.scene.room.floor == floor, it.scene.room.floor))
+            return Unjudged(
+                word, "style", floor, lambda it: as_row.found(it.scene.room.floor == floor, it.scene.room.floor)
+            )
         return as_row.mood(word)
 
-    def _look(self, thing: Thing) -> Row:
+    def _look(self, thing: NamedThing) -> Unjudged:
         """Return the row of how a thing is to look."""
         names = self.names.get(thing, ())
 
@@ -186,9 +188,9 @@ class _Rows:
             alike = bool(said) and all(word in look.split(", ") for look in said for word in thing.look)
             return as_row.found(alike, "; ".join(dict.fromkeys(said)))
 
-        return Row(f"{' '.join(thing.look)} {thing.noun.words}", "style", "how it looks", judge)
+        return Unjudged(f"{' '.join(thing.look)} {thing.noun.words}", "style", "how it looks", judge)
 
-    def _size(self, thing: Thing, measure: Measure) -> Row:
+    def _size(self, thing: NamedThing, measure: Measure) -> Unjudged:
         """Return the row of what is said of a thing's size in figures."""
 
         def judge(room: Furnished) -> Finding:
@@ -198,18 +200,18 @@ class _Rows:
             return met(bool(off) and max(off) <= as_row.SIZE_OFF, f"{shown} m")
 
         words = f"{thing.noun.words} {self.reading.text[measure.start : measure.end]}"
-        return Row(words, "attribute", f"{measure.kind} {measure.shown}", judge, self.names.get(thing, ()))
+        return Unjudged(words, "attribute", f"{measure.kind} {measure.shown}", judge, self.names.get(thing, ()))
 
-    def _contradiction(self, thing: Thing) -> Iterator[Row]:
+    def _contradiction(self, thing: NamedThing) -> Iterator[Unjudged]:
         """Yield a row that cannot be met where two attributes of a thing exclude each other."""
         for group in grammar().exclusive:
             said = [word for word in (*thing.adjectives, *thing.noun.said.split()) if word in group]
             if len(set(said)) > 1:
                 words = self.reading.span(*thing.spans[0])
                 why = f"{' and '.join(dict.fromkeys(said))} exclude each other"
-                yield Row(words, "attribute", why, lambda room: met(False, "a thing has one of these"))
+                yield Unjudged(words, "attribute", why, lambda room: met(False, "a thing has one of these"))
 
-    def _opening(self, place: Place, words: str) -> Row:
+    def _opening(self, place: Place, words: str) -> Unjudged:
         wanted = place.number or (2 if place.plural else 1)
 
         def judge(room: Furnished) -> Finding:
@@ -217,9 +219,9 @@ class _Rows:
             there = sum(opening.wall in walls for opening in openings(room.scene.room, place.name))
             return met(there == wanted if place.number else there >= wanted, f"{there} there")
 
-        return Row(words, "opening", f"{wanted} {as_row.shown(place)}", judge)
+        return Unjudged(words, "opening", f"{wanted} {as_row.shown(place)}", judge)
 
-    def _count(self, thing: Thing) -> Row:
+    def _count(self, thing: NamedThing) -> Unjudged:
         """Return the row of a thing: as many as are asked for, those that stand for another thing aside."""
         others = {name for other, names in self.names.items() if other is not thing for name in names}
         own, wanted = self.names.get(thing, ()), thing.count
@@ -242,9 +244,9 @@ class _Rows:
         as_said = nearest or made <= {thing.noun.kind}
         named = thing.noun.words if as_said else f"{thing.noun.said} ({', '.join(sorted(made))})"
         sizes = "".join(f", {word}" for word in thing.adjectives if word in grammar().sizes)
-        return Row(words, "count", f"{bound}{wanted} {named}{sizes}{nearest}", judge)
+        return Unjudged(words, "count", f"{bound}{wanted} {named}{sizes}{nearest}", judge)
 
-    def _relation(self, link: Link) -> Row:
+    def _relation(self, link: Link) -> Unjudged:
         """Return the row of a relation."""
         words = self.reading.span(link.start, link.end)
         if link.relation == "way":
@@ -256,7 +258,7 @@ class _Rows:
         demands = self.demander.demands(link)
         if not demands and place_in(link.objects, "ceiling") and link.subjects:
             things = tuple(name for mention in link.subjects for name in self.names.get(mention.thing, ()))
-            return Row(understanding, "relation", "hangs from the ceiling", partial(as_row.hung, things), things)
+            return Unjudged(understanding, "relation", "hangs from the ceiling", partial(as_row.hung, things), things)
         if not demands:
             return as_row.unread(understanding, "nothing that the vocabulary can say")
 
@@ -271,15 +273,15 @@ class _Rows:
 
         things = tuple(dict.fromkeys(name for demand in demands for name in sorted(demand.names())))
         said = "; ".join(dict.fromkeys(as_row.said(demand) for demand in demands[:2]))
-        return Row(understanding, "relation", said + " ..." * (len(demands) > 2), judge, things, demands)
+        return Unjudged(understanding, "relation", said + " ..." * (len(demands) > 2), judge, things, demands)
 
-    def _left_out(self, link: Link, row: Row) -> Iterator[Row]:
+    def _left_out(self, link: Link, row: Unjudged) -> Iterator[Unjudged]:
         """Yield the things of a relation that its row asks nothing of, while it does of others."""
         for item in mentions((*link.subjects, *link.objects)) if row.demands else ():
             if (names := self.names.get(item.thing)) and not {*names} & {*row.things}:
                 yield as_row.unread(f"{as_row.shown(item)}: {row.words}", "nothing is asked of it there")
 
-    def _way(self, link: Link, words: str) -> Row:
+    def _way(self, link: Link, words: str) -> Unjudged:
         """Return the row of a way: the body gets up to each of the things and places that are named."""
         to = " and ".join(as_row.shown(item) for item in link.objects)
         things = tuple(name for item in mentions(link.objects) for name in self.names.get(item.thing, ()))
@@ -304,24 +306,24 @@ class _Rows:
             left = max(0.0, away - furnished.scene.agents[0].radius)
             return met(left <= as_row.UP_TO, f"the way ends {left:.2f} m before it")
 
-        return Row(f"{words} {to}".strip(), "way", "a way for the body", judge, things)
+        return Unjudged(f"{words} {to}".strip(), "way", "a way for the body", judge, things)
 
-    def _refusal(self, noun: str, kind: str, words: str) -> Row:
+    def _refusal(self, noun: str, kind: str, words: str) -> Unjudged:
         def judge(room: Furnished) -> Finding:
             there = [asset.name for asset in room.scene.assets if category_of(asset).name == kind]
             return met(not there, f"{', '.join(there) or 'none'} there")
 
-        return Row(words, "refusal", f"no {noun}", judge)
+        return Unjudged(words, "refusal", f"no {noun}", judge)
 
 
-def stand_ins(scene: Scene, things: Sequence[Thing]) -> dict[Thing, tuple[str, ...]]:
+def stand_ins(scene: Scene, things: Sequence[NamedThing]) -> dict[NamedThing, tuple[str, ...]]:
     """Return the names of the assets that stand for each thing; one asset stands for one thing only.
 
     The same words come first, then the same kind, then the same last word ("bed" for a single bed). A plural without a number
     takes all that are left.
     """
     free = [asset for asset in scene.assets]
-    found: dict[Thing, tuple[str, ...]] = {}
+    found: dict[NamedThing, tuple[str, ...]] = {}
     for tier in TIERS:
         for thing in things:
             have = found.get(thing, ())
@@ -336,18 +338,18 @@ def stand_ins(scene: Scene, things: Sequence[Thing]) -> dict[Thing, tuple[str, .
     return found
 
 
-def _same_words(asset: Asset, thing: Thing) -> bool:
+def _same_words(asset: Asset, thing: NamedThing) -> bool:
     category = singular(plain(asset.category))
     return category in (thing.noun.words, thing.noun.said)
 
 
-def _same_kind(asset: Asset, thing: Thing) -> bool:
+def _same_kind(asset: Asset, thing: NamedThing) -> bool:
     if thing.noun.kind.startswith("unknown"):
         return thing.noun.said in singular(plain(asset.description))
     return category_of(asset).name == thing.noun.kind
 
 
-def _same_head(asset: Asset, thing: Thing) -> bool:
+def _same_head(asset: Asset, thing: NamedThing) -> bool:
     category = singular(plain(asset.category)).split()
     said = [word for word in thing.noun.said.split() if word not in grammar().sizes]
     if not category or len(said) != 1:

@@ -33,7 +33,7 @@ class RoomType:
 
 
 @dataclass(frozen=True)
-class Rooms:
+class RoomTypes:
     """Everything in `rooms.toml`."""
 
     rooms: Mapping[str, RoomType]  # room types by name
@@ -42,14 +42,14 @@ class Rooms:
     companions: Mapping[str, Mapping[str, int]]  # what a thing is of no use without
 
 
-def read_rooms(own: Iterable[RoomType] = ()) -> Rooms:
+def read_rooms(own: Iterable[RoomType] = ()) -> RoomTypes:
     """Read the built-in room types, and let a user's own replace those of the same name."""
     built_in = _built_in()
     return replace(built_in, rooms={**built_in.rooms, **{room.name: room for room in own}})
 
 
 @cache
-def _built_in() -> Rooms:
+def _built_in() -> RoomTypes:
     text = (files("robolayout.words") / "rooms.toml").read_text("utf-8")
     data = tomllib.loads(text)
     rooms = {
@@ -57,4 +57,4 @@ def _built_in() -> Rooms:
         for name, entry in data["rooms"].items()
     }
     bodies = {word: body for body, words in data["agents"].items() for word in words}
-    return Rooms(rooms, data["corners"], bodies, data["companions"])
+    return RoomTypes(rooms, data["corners"], bodies, data["companions"])

@@ -52,7 +52,7 @@ from robolayout._reading.syntax import ASTRAY
 from robolayout.planners.model.errors import refuses_images, sentence
 from robolayout.planners.model.exchange import Question, Tape
 from robolayout.planners.model.prompt import PROMPT_VERSION
-from robolayout.planners.model.provider import Spec, open_model, price_of, spec_of
+from robolayout.planners.model.provider import ModelSpec, open_model, price_of, spec_of
 
 if TYPE_CHECKING:
     from robolayout.planners.model.options import ModelOptions
@@ -76,7 +76,7 @@ FIRST_ANSWER = 1_200  # tokens that an answer is expected to have before one has
 
 
 @dataclass(frozen=True)
-class Usage:
+class TokenUsage:
     """What a planner has used so far."""
 
     requests: int  # answers received
@@ -197,7 +197,7 @@ class Client:
         record, replay = (Path(folder) if folder else None for folder in (options.exchanges, options.replay))
         self.options, self.tape = options, Tape(record, replay)
         if replay:
-            self.specs = [Spec(self.tape.model)]
+            self.specs = [ModelSpec(self.tape.model)]
         else:
             self.specs = [spec_of(cast("str | Model", model), options.base_url)]
             self.specs += [spec_of(name, None) for name in options.fallback]
@@ -227,11 +227,11 @@ class Client:
         return max((price for price in prices if price is not None), default=None)
 
     @property
-    def usage(self) -> Usage:
+    def usage(self) -> TokenUsage:
         """What was used so far."""
         spent = self.spent
         cost = None if spent.cost is None else float(spent.cost)
-        return Usage(spent.requests, spent.input_tokens, spent.output_tokens, cost)
+        return TokenUsage(spent.requests, spent.input_tokens, spent.output_tokens, cost)
 
     def summary(self, did: str) -> str:
         """Return who did something and what that took, in one sentence."""
@@ -284,7 +284,7 @@ class Client:
             self.note(f"{self._sentence(error, self.spec)} The next model was asked.")
         return isinstance(error, ModelAPIError)
 
-    def _sentence(self, error: Exception, spec: Spec) -> ModelError:
+    def _sentence(self, error: Exception, spec: ModelSpec) -> ModelError:
         return sentence(error, spec, self.options.timeout, self.tape.scrub)
 
     async def _settled(

@@ -21,7 +21,7 @@ from pydantic_ai.exceptions import (
 )
 
 from robolayout._errors import AnswerError, ModelError, UnavailableError
-from robolayout.planners.model.provider import Spec, nearest_model
+from robolayout.planners.model.provider import ModelSpec, nearest_model
 
 SEES = re.compile(r"image|vision|multi-?modal|picture|mmproj", re.IGNORECASE)
 """Words of a provider that says it does not take pictures."""
@@ -59,7 +59,7 @@ def refuses_images(error: ModelHTTPError) -> bool:
     return 400 <= error.status_code <= 501 and error.status_code != 429 and bool(SEES.search(_reason(error)))
 
 
-def sentence(error: Exception, spec: Spec, timeout: float, scrub: Callable[[str], str]) -> ModelError:
+def sentence(error: Exception, spec: ModelSpec, timeout: float, scrub: Callable[[str], str]) -> ModelError:
     """Return an error of the model client as one of ours."""
     name = spec.name
     if isinstance(error, ModelTimeoutError | ModelRequestTimeout):

@@ -33,7 +33,7 @@ from robolayout.scene import Layout, Scene
 if TYPE_CHECKING:
     from pydantic_ai.models import Model
 
-    from robolayout.planners.model.client import Usage
+    from robolayout.planners.model.client import TokenUsage
 
 Mode = Literal["grouped", "one_shot", "no_image", "no_constraint"]
 MODES: tuple[Mode, ...] = get_args(Mode)
@@ -94,7 +94,7 @@ class ModelPlanner:
         return "named" if self._client.tape.replay else "drawn"
 
     @property
-    def usage(self) -> Usage:
+    def usage(self) -> TokenUsage:
         """Requests, tokens and cost so far."""
         return self._client.usage
 

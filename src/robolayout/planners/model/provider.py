@@ -34,7 +34,7 @@ MOST_BYTES = 4_000_000  # bytes of one answer of a server that are read; a progr
 
 
 @dataclass(frozen=True)
-class Spec:
+class ModelSpec:
     """Which model, and where it is."""
 
     name: str  # the model as the user wrote it ("openai:gpt-4o")
@@ -54,10 +54,10 @@ class Spec:
         return self.model is None and self.provider != "anthropic" and self.base_url is not None
 
 
-def spec_of(model: str | Model, base_url: str | None) -> Spec:
+def spec_of(model: str | Model, base_url: str | None) -> ModelSpec:
     """Return a checked spec; raises `InputError` for a name or an address that cannot be meant."""
     if isinstance(model, Model):
-        return Spec(model.model_name, None, model)
+        return ModelSpec(model.model_name, None, model)
     name = model.strip()
     provider, _, rest = name.partition(":")
     if base_url is None:
@@ -72,7 +72,7 @@ def spec_of(model: str | Model, base_url: str | None) -> Spec:
             _check_provider(provider)
     if base_url is not None:
         _check_url(base_url)
-    return Spec(name, base_url)
+    return ModelSpec(name, base_url)
 
 
 def nearest_model(name: str) -> str | None:
@@ -102,7 +102,7 @@ def _check_url(base_url: str) -> None:
         raise InputError(f"{base_url!r} is no address of a server. Give one like http://localhost:8000/v1.")
 
 
-def open_model(spec: Spec, *, priced: bool) -> Model:
+def open_model(spec: ModelSpec, *, priced: bool) -> Model:
     """Return a model ready to be asked; raises `InputError` for a missing key, package or price."""
     try:
         model = spec.model or _inferred(spec)
@@ -122,7 +122,7 @@ def open_model(spec: Spec, *, priced: bool) -> Model:
     return model
 
 
-def _inferred(spec: Spec) -> Model:
+def _inferred(spec: ModelSpec) -> Model:
     """Return a model of OpenAI's or Anthropic's protocol, whose answers are bounded, or of another of pydantic-ai's."""
     if spec.base_url is None and spec.provider not in ("openai", "openai-chat", "anthropic"):
         return infer_model(spec.name)

@@ -18,7 +18,7 @@ STEP = 1e-4  # differences between shares below this do not count
 
 
 @dataclass(frozen=True)
-class Score:
+class SampleScore:
     """What one sample achieves, to be compared from the first figure to the last."""
 
     hard: float  # mean of the hard demands, 0 to 1
@@ -37,10 +37,12 @@ class Score:
         return {name: round(value, 4) for name, value in vars(self).items()}
 
 
-def score_samples(figures: Sequence[Mapping[str, float | bool]], programs: Sequence[Program]) -> tuple[Score, ...]:
+def score_samples(
+    figures: Sequence[Mapping[str, float | bool]], programs: Sequence[Program]
+) -> tuple[SampleScore, ...]:
     """Return one score per sample, of its `Report.figures` and its program as asked."""
     return tuple(
-        Score(_mean(row, HARD), _access(row), float(row["statements_met_share"]), shared)
+        SampleScore(_mean(row, HARD), _access(row), float(row["statements_met_share"]), shared)
         for row, shared in zip(figures, agreement(programs), strict=True)
     )
 

@@ -13,7 +13,7 @@ from robolayout.solve.build.cluster import Cluster
 from robolayout.solve.build.grid import grid_batches, in_one_row, last_cell, put_grid
 from robolayout.solve.build.member import GridPlan, Member
 from robolayout.solve.build.overhead import hang, lay_on, overhead
-from robolayout.solve.build.places import Batch, batches
+from robolayout.solve.build.places import Places, batches
 from robolayout.solve.build.rugs import lay_rugs
 from robolayout.solve.build.said import MISSED
 from robolayout.solve.build.site import Site
@@ -67,18 +67,18 @@ COSTS = Costs()
 Modes = Mapping[str, float]
 """Ways of standing, the best first, with what each costs."""
 
-Choice = tuple[float, Batch, int]
+Choice = tuple[float, Places, int]
 """A place: its cost, the batch that it is in, and its row there."""
 
 
-def _put(site: Site, batch: Batch, row: int) -> None:
+def _put(site: Site, batch: Places, row: int) -> None:
     """Put a cluster at one place of a batch."""
     wall = int(batch.walls[row])
     site.put(batch.cluster, batch.poses[row], batch.mode, wall if wall >= 0 else None)
     keep_sight(site, batch.cluster.anchor)
 
 
-def _close(batch: Batch, row: int, other: Batch, at: int, limit: float) -> bool:
+def _close(batch: Places, row: int, other: Places, at: int, limit: float) -> bool:
     """Whether two places are less than so many metres apart and face the same way."""
     step = np.abs(batch.poses[row] - other.poses[at])
     return batch.cluster == other.cluster and bool(step[:2].max() < limit and step[2] < 0.1)
@@ -95,7 +95,7 @@ class _Step:
     weights: Mapping[str, float] = field(default_factory=dict[str, float])  # what it prefers
 
 
-class Attempt:
+class BuildPass:
     """One pass over all assets; what is to be placed `first` missed what is said of it in a pass before."""
 
     def __init__(self, site: Site, rng: np.random.Generator, *, calm: bool, first: Collection[str] = ()) -> None:
@@ -295,7 +295,7 @@ class Attempt:
         self.steps.append(step)
         return True
 
-    def _ranked(self, found: Sequence[Batch], weights: Mapping[str, float], modes: Modes) -> list[Choice]:
+    def _ranked(self, found: Sequence[Places], weights: Mapping[str, float], modes: Modes) -> list[Choice]:
         """Return the `COSTS.checked` best places of all batches, best first."""
         choices: list[Choice] = []
         for batch in found:
@@ -392,7 +392,7 @@ class Attempt:
 
     def _place_grid(self, clusters: Sequence[Cluster], weights: Mapping[str, float], strays: int) -> bool:
         """Put equal clusters into their best grid, so many others being left; False if none is good."""
-        ranked: list[tuple[float, GridPlan, Batch, int]] = []
+        ranked: list[tuple[float, GridPlan, Places, int]] = []
         missed = math.inf  # the least that a place misses of what is said
         for plan, batch in grid_batches(self.site, clusters):
             clash = self.site.clash(batch.cluster, batch.poses, limit=1.0)
@@ -409,7 +409,7 @@ class Attempt:
             cost += unmet + COSTS.tight * plan.tight + COSTS.ragged * (plan.rows * plan.columns - len(plan.names))
             cost += 0.3 * abs(plan.rows - plan.columns) ** 0.5
             ranked += [(float(cost[row]), plan, batch, int(row)) for row in np.argsort(cost, kind="stable")[:4]]
-        best: tuple[float, GridPlan, Batch, int] | None = None
+        best: tuple[float, GridPlan, Places, int] | None = None
         before, tried = self.site.unreached(), 0
         told = self.site.wants[clusters[0].anchor].in_told_rows
         limit = COSTS.hopeless + (

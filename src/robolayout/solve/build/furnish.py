@@ -10,7 +10,7 @@ import numpy as np
 
 from robolayout.program import Program
 from robolayout.scene import Layout, Pose, Scene
-from robolayout.solve.build.attempt import Attempt
+from robolayout.solve.build.attempt import BuildPass
 from robolayout.solve.build.cluster import Cluster
 from robolayout.solve.build.member import Member
 from robolayout.solve.build.overhead import lay_on
@@ -62,12 +62,12 @@ def _furnish(empty: Site, given: Mapping[str, Pose], seed: int, most: int) -> Si
     What misses what is said of it in one attempt is placed first in those that follow.
     """
     count = len(empty.scene.assets)
-    best: tuple[float, Attempt] | None = None
+    best: tuple[float, BuildPass] | None = None
     leap, forlorn, missed = (math.inf, 0), True, set[str]()
     for number in range(most):
         site = empty.copy()
         _keep(site, given)
-        attempt = Attempt(
+        attempt = BuildPass(
             site, np.random.default_rng((seed, number)), calm=number == 0 and seed == 0, first=frozenset(missed)
         )
         cost = attempt.furnish_floor()

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from robolayout.solve.build.cluster import Cluster
 from robolayout.solve.build.member import GridPlan, Member, Rect, box_of
-from robolayout.solve.build.places import Batch, room_yaws, targets
+from robolayout.solve.build.places import Places, room_yaws, targets
 from robolayout.solve.build.site import Site
 
 BACKS = 0.03
@@ -21,7 +21,7 @@ TIGHTEST = 0.5
 """Metres between things in a row up to which these may stand closer where there is no room for it."""
 
 
-def grid_batches(site: Site, clusters: Sequence[Cluster]) -> Iterator[tuple[GridPlan, Batch]]:
+def grid_batches(site: Site, clusters: Sequence[Cluster]) -> Iterator[tuple[GridPlan, Places]]:
     """Yield every arrangement of equal clusters in a grid, with the places for its middle."""
     rows = site.wants[clusters[0].anchor].rows
     if rows is None:
@@ -46,7 +46,7 @@ def grid_batches(site: Site, clusters: Sequence[Cluster]) -> Iterator[tuple[Grid
             cluster = _cluster(clusters, plan, size)
             poses = _poses(site, cluster)
             if len(poses):
-                yield plan, Batch("grid", cluster, poses, np.full(len(poses), -1))
+                yield plan, Places("grid", cluster, poses, np.full(len(poses), -1))
 
 
 def in_one_row(site: Site, clusters: Sequence[Cluster]) -> Cluster | None:
@@ -92,7 +92,7 @@ def cell_poses(plan: GridPlan, size: tuple[float, float, float]) -> list[tuple[f
     return found
 
 
-def last_cell(site: Site, plan: GridPlan, batch: Batch) -> Batch:
+def last_cell(site: Site, plan: GridPlan, batch: Places) -> Places:
     """Return the places of the last anchor of a grid in place of those of its first."""
     x, y, _ = cell_poses(plan, site.size(plan.names[0]))[-1]
     return replace(batch, poses=Member("", x, y).everywhere(batch.poses))

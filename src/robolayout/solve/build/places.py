@@ -32,7 +32,7 @@ DOOR_MARGIN = 0.05
 
 
 @dataclass(frozen=True)
-class Batch:
+class Places:
     """Places of one kind for one cluster."""
 
     mode: str  # how the anchor stands there
@@ -41,16 +41,16 @@ class Batch:
     walls: NDArray[np.int64]  # index of the wall of each place, or -1
 
 
-def batches(site: Site, cluster: Cluster, modes: Iterable[str]) -> list[Batch]:
+def batches(site: Site, cluster: Cluster, modes: Iterable[str]) -> list[Places]:
     """Return all places for a floor cluster, for it and its mirror image if nothing says which side is which."""
-    found: list[Batch] = []
+    found: list[Places] = []
     joins = [site.wants[member.name].join for member in cluster.members[1:]]
     lopsided = any(abs(m.y) > 0.02 for m in cluster.members) and not any(join and join.side for join in joins)
     for variant in (cluster, cluster.mirrored()) if lopsided else (cluster,):
         for mode in modes:
             poses, walls = _PLACES[mode](site, variant)
             if len(poses):
-                found.append(Batch(mode, variant, np.array(poses), np.broadcast_to(walls, len(poses))))
+                found.append(Places(mode, variant, np.array(poses), np.broadcast_to(walls, len(poses))))
     return found
 
 

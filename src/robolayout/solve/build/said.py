@@ -30,7 +30,7 @@ SLACK = 0.015
 
 
 @dataclass(frozen=True)
-class Asked:
+class SaidStatement:
     """One statement."""
 
     names: frozenset[str]  # what it is about
@@ -42,16 +42,16 @@ class Said:
     """The statements of a program that places are weighed by."""
 
     scene: Scene
-    asked: tuple[Asked, ...] = ()  # the statements
+    asked: tuple[SaidStatement, ...] = ()  # the statements
 
     @staticmethod
     def of(scene: Scene, program: Program) -> Said:
         """Return the statements of a program but those that hold by the way in which places are found."""
         relations = [one.relation for one in program.statements if not _built_in(one.relation)]
-        asked = (Asked(frozenset(one.asset_names()), one.ways(scene) or ((one,),)) for one in relations)
+        asked = (SaidStatement(frozenset(one.asset_names()), one.ways(scene) or ((one,),)) for one in relations)
         return Said(scene, tuple(asked))
 
-    def about(self, names: Sequence[str]) -> list[Asked]:
+    def about(self, names: Sequence[str]) -> list[SaidStatement]:
         """Return the statements that have to do with some assets."""
         known = set(names)
         return [one for one in self.asked if known & one.names]

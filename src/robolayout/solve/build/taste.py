@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from robolayout.constraints.by_door import doorways
 from robolayout.solve.build.form import corners_of
 from robolayout.solve.build.member import box_of
-from robolayout.solve.build.places import Batch, targets
+from robolayout.solve.build.places import Places, targets
 from robolayout.solve.build.site import AT_WALL, NARROW, Site, Spot
 
 Cost = NDArray[np.float64]
@@ -27,7 +27,7 @@ LOW = 0.65
 """Metres of height of what one looks over."""
 
 
-def taste(site: Site, batch: Batch, weights: Mapping[str, float]) -> Cost:
+def taste(site: Site, batch: Places, weights: Mapping[str, float]) -> Cost:
     """Return the cost (n,) of a batch of places for the wishes of its anchor."""
     cost = np.zeros(len(batch.poses))
     if batch.mode in ("wall", "corner"):
@@ -52,7 +52,7 @@ def looks(site: Site) -> float:
     return sum(float(_facing(site, name, np.array([[m.x, m.y, m.yaw]]))[0]) for name, m in standing)
 
 
-def _along_walls(site: Site, batch: Batch, weights: Mapping[str, float]) -> Cost:
+def _along_walls(site: Site, batch: Places, weights: Mapping[str, float]) -> Cost:
     """Return the cost of where on its wall a thing stands and what it hides there, and what goes by it has behind it."""
     _, width, _ = site.size(batch.cluster.anchor)
     low_ones = [m for m in batch.cluster.members if not m.bottom]
@@ -91,7 +91,7 @@ def _along_walls(site: Site, batch: Batch, weights: Mapping[str, float]) -> Cost
     return cost + weights.get("snug", 0.0) * _loose_ends(site, batch, width)
 
 
-def _loose_ends(site: Site, batch: Batch, width: float) -> Cost:
+def _loose_ends(site: Site, batch: Places, width: float) -> Cost:
     """Return how many of the two sides of a thing at a wall have an open gap beside them (0 to 1)."""
     taken = site.floor.maps().taken
     sides = [np.array([(0.0, y)]) for y in (width / 2 + 0.12, -width / 2 - 0.12)]

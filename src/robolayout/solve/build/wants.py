@@ -70,7 +70,7 @@ SIDES = {"left_of": "left", "right_of": "right", "in_front_of": "front", "behind
 
 
 @dataclass(frozen=True)
-class Join:
+class Joining:
     """How a thing stands at another."""
 
     slot: str  # "beside", "flank", "front", "behind", "around", "on" or "setting"
@@ -82,7 +82,7 @@ class Join:
 
 
 @dataclass(frozen=True)
-class Face:
+class Facing:
     """What a thing should have in front of it."""
 
     names: tuple[str, ...]  # the things, the nearest counts
@@ -108,12 +108,12 @@ class Want:
     near: tuple[tuple[tuple[str, ...], float], ...] = ()
     # metres kept free on some sides; none: as its kind is used
     clear: Mapping[str, float] = field(default_factory=dict[str, float])
-    face: Face | None = None  # what it has in front of it
+    face: Facing | None = None  # what it has in front of it
     at: tuple[str, ...] = ()  # what it is demanded to be near, or at a side of
     over: tuple[str, ...] = ()  # what it hangs over or lies under, best first
     height: float = 0.0  # height in metres of the centre of a hung thing; 0 lets size decide
     anchor: str | None = None  # the thing that it stands at
-    join: Join | None = None  # how it stands there
+    join: Joining | None = None  # how it stands there
     loose: bool = False  # whether it may stand by itself if there is no room there
     rows: InRows | None = None  # what it should stand in a block with, if anything
 
@@ -123,7 +123,7 @@ class Want:
         return self.asset.name
 
     @property
-    def joined(self) -> Join:
+    def joined(self) -> Joining:
         """How it stands at its anchor; only for what has one."""
         if self.join is None:
             raise ValueError(f"{self.name} stands by itself")
@@ -172,9 +172,9 @@ def wants_of(scene: Scene, program: Program) -> dict[str, Want]:
     for asset in sorted(scene.assets, key=lambda asset: order.get(asset.name, len(order))):
         said = about.get(asset.name, [])
         want = Want(asset, category_of(asset), order.get(asset.name, len(order)), _kind(asset, said))
-        found[asset.name] = _Reading(scene, want, said).want()
+        found[asset.name] = _Gathered(scene, want, said).want()
     for want in [want for want in found.values() if want.carried and want.anchor is None]:
-        found[want.name] = replace(want, anchor=_top(want, found), join=Join("on"))
+        found[want.name] = replace(want, anchor=_top(want, found), join=Joining("on"))
     _pair(found, program.statements)
     return _seen_first(_acyclic(found))
 
@@ -257,7 +257,7 @@ def _acyclic(wants: dict[str, Want]) -> dict[str, Want]:
     return wants
 
 
-class _Reading:
+class _Gathered:
     """Gathers what is said of one thing.
 
     Args:
@@ -330,7 +330,7 @@ class _Reading:
                     found[mode] = max(found.get(mode, -math.inf), math.inf if weight is None else weight)
         return found
 
-    def _stands(self, face: Face | None) -> dict[str, float]:
+    def _stands(self, face: Facing | None) -> dict[str, float]:
         """Return the ways of standing by itself with what each costs, the best first."""
         modes = self._modes()
         if "hang" in modes:
@@ -346,16 +346,16 @@ class _Reading:
         cost = {mode: 0.0 if weight == best or math.isinf(best) else best - weight for mode, weight in modes.items()}
         return dict(sorted(cost.items(), key=lambda entry: (entry[1], ORDER.index(entry[0]))))
 
-    def _join(self) -> tuple[str | None, Join | None, bool]:
+    def _join(self) -> tuple[str | None, Joining | None, bool]:
         """Return what it stands at, how, and whether that is demanded."""
         for one in self.said:
             relation, demanded = one.relation, one.wish is None
             if isinstance(relation, Around):
-                return relation.b.name, Join("around", relation.gap or AIM), demanded
+                return relation.b.name, Joining("around", relation.gap or AIM), demanded
             if isinstance(relation, OnTopOf):
                 return relation.b.name, self._on(relation.b), demanded
             if self.bare.asset.is_flat and isinstance(relation, NextTo | Toward):
-                return None, Join("beside" if isinstance(relation, NextTo) else "on"), False
+                return None, Joining("beside" if isinstance(relation, NextTo) else "on"), False
             if isinstance(relation, Beside) and self._joins(relation):
                 same = [other for other, _ in self._all(type(relation)) if other.b == relation.b]
                 apart = max(same, key=lambda other: getattr(other, "min_gap", 0.0))  # a wish may leave more room
@@ -369,7 +369,7 @@ class _Reading:
         on_floor = other is not None and other.on_floor and not other.is_flat and here.on_floor and not here.is_flat
         return on_floor and relation.max_gap <= CLOSE and least < CLOSE / 2
 
-    def _beside(self, relation: Beside) -> Join:
+    def _beside(self, relation: Beside) -> Joining:
         side = getattr(relation, "side", "")
         side = side or SIDES[relation.name]
         low, high = max(getattr(relation, "min_gap", 0.0), 0.0), relation.max_gap
@@ -379,10 +379,10 @@ class _Reading:
             facing = math.pi if side == "front" else 0.0
             if yaw in (None, facing):
                 gap = min(max(gap, self._to_open()), high)
-            return Join("front" if side == "front" else "behind", gap, facing if yaw is None else yaw)
+            return Joining("front" if side == "front" else "behind", gap, facing if yaw is None else yaw)
         fixed = "" if side == "beside" else side
         across = looks or (yaw is not None and abs(math.sin(yaw)) > math.sqrt(0.5))
-        return Join("flank" if across else "beside", gap, yaw, fixed)
+        return Joining("flank" if across else "beside", gap, yaw, fixed)
 
     def _to_open(self) -> float:
         """Return the metres before its front that its doors and drawers sweep, with the widest body behind them; 0 without any."""
@@ -394,14 +394,14 @@ class _Reading:
         """Return the angle to a thing's front, in radians, that is said."""
         return next((math.radians(one.angle) for one, _ in self._all(AlignWith) if one.b == b), None)
 
-    def _on(self, carrier: AssetRef) -> Join:
+    def _on(self, carrier: AssetRef) -> Joining:
         """Return where on a top it belongs."""
         for one in self.said:
             other = one.relation.b if isinstance(one.relation, InFrontOf | DistanceConstraint) else None
             if isinstance(other, AssetRef) and other != carrier and self.scene.by_name[other.name].on_floor:
-                return Join("setting", at=self._place(), seat=other.name)
+                return Joining("setting", at=self._place(), seat=other.name)
         halves = sorted(one.side for one, _ in self._all(Toward))
-        return Join("on", yaw=self._turned(carrier), at=" ".join(halves))
+        return Joining("on", yaw=self._turned(carrier), at=" ".join(halves))
 
     def _place(self) -> str:
         """Return the place of a setting: by the plate that it is said to be beside, else that of a plate."""
@@ -414,7 +414,7 @@ class _Reading:
                 return {"left_of": "left", "in_front_of": "beyond"}.get(relation.name, "glass")
         return "plate"
 
-    def _face(self, anchor: str | None) -> Face | None:
+    def _face(self, anchor: str | None) -> Facing | None:
         """Return what it should have in front of it."""
         looks = [(one.b, one.angle, weight) for one, weight in self._all(PointTowards)]
         distance, weights = [0.0, 20.0], [DEMANDED if weight is None else weight for *_, weight in looks]
@@ -431,7 +431,7 @@ class _Reading:
                 distance = [one.min_gap + apart, one.max_gap + apart]
         if not targets:
             return None
-        return Face(targets, abs(looks[0][1]) > 90.0, (distance[0], distance[1]), max(weights))
+        return Facing(targets, abs(looks[0][1]) > 90.0, (distance[0], distance[1]), max(weights))
 
     def _at(self) -> Iterator[str]:
         """Yield what it is demanded to be near, or at a side of, in any way."""

@@ -17,7 +17,7 @@ from scipy.sparse import csr_matrix, diags_array
 
 from robolayout.solve.compile import Floats
 from robolayout.solve.paper.project import projected
-from robolayout.solve.paper.solver import Compared, Evaluation
+from robolayout.solve.paper.solver import Compared, LossAt
 from robolayout.solve.solution import Solution
 
 optimize: Any = scipy.optimize
@@ -45,7 +45,7 @@ class ScipySolver(Compared):
         x0, y0, x1, y1 = self.problem.scene.room.bounds
         corners = (x0, y0, -1.0, -1.0), (x1, y1, 1.0, 1.0)
         self.low, self.high = (np.tile(corner, len(self.free)) for corner in corners)
-        self.last = (np.empty(0), Evaluation(0.0, np.empty(0), np.empty(0)))
+        self.last = (np.empty(0), LossAt(0.0, np.empty(0), np.empty(0)))
 
     def trust_constr(self) -> Solution:
         """Return the layout that a trust-region interior point method ends with."""
@@ -108,7 +108,7 @@ class ScipySolver(Compared):
         world[self.free] = x.reshape(-1, 4)
         return world
 
-    def _at(self, x: Floats) -> Evaluation:
+    def _at(self, x: Floats) -> LossAt:
         """Return the loss at x; SciPy asks for its value and its gradient one after the other."""
         if not np.array_equal(x, self.last[0]):
             self.last = (x.copy(), self.loss(self._world(x)))

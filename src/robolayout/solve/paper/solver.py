@@ -123,7 +123,7 @@ def _apart(problem: Problem, a: int, b: int) -> bool:
     return problem.parent[a] != b and problem.parent[b] != a
 
 
-class Evaluation(NamedTuple):
+class LossAt(NamedTuple):
     """The loss at one layout."""
 
     value: float  # L = 0.1 L_total
@@ -131,14 +131,14 @@ class Evaluation(NamedTuple):
     terms: Floats  # terms of L_total, as in `TERMS`
 
 
-def paper_loss(problem: Problem, *, held: bool = False) -> Callable[[Floats], Evaluation]:
+def paper_loss(problem: Problem, *, held: bool = False) -> Callable[[Floats], LossAt]:
     """Return the paper's loss of world poses (n, 4); `held` as in `make_table`."""
     table = make_table(problem, held=held)
 
-    def loss(world: Floats) -> Evaluation:
+    def loss(world: Floats) -> LossAt:
         poses = padded(world, (len(table.half),), [0.0, 0.0, 1.0, 0.0])
         value, gradient, terms = programs.call("paper.loss:value_and_gradient", poses, table)
-        return Evaluation(float(value), gradient[: len(world)], terms)
+        return LossAt(float(value), gradient[: len(world)], terms)
 
     return loss
 
@@ -207,7 +207,7 @@ def _on_circle(here: Floats, target: Floats) -> Floats:
 
 
 def judged_step(
-    before: Evaluation, after: Evaluation, step: Floats, radius: float, config: PaperConfig = PAPER
+    before: LossAt, after: LossAt, step: Floats, radius: float, config: PaperConfig = PAPER
 ) -> tuple[bool, float]:
     """Return whether a step is accepted, and the next trust radius.
 
@@ -267,7 +267,7 @@ class Compared:
         """The record so far."""
         return Trace(tuple(self.losses), tuple(self.shots))
 
-    def record(self, label: str, here: Evaluation, world: Floats) -> None:
+    def record(self, label: str, here: LossAt, world: Floats) -> None:
         """Keep the terms of a loss, and every tenth time the poses."""
         terms = dict(zip(TERMS, map(float, here.terms), strict=True))
         if len(self.losses) % 10 == 0:

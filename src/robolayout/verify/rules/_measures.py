@@ -24,7 +24,7 @@ from robolayout.verify.limits import ADA
 from robolayout.verify.navigation import Navigation
 from robolayout.verify.passages import largest
 from robolayout.verify.proofs import exempt_from_reach
-from robolayout.verify.routes import Mesh, find_routes
+from robolayout.verify.routes import Triangulation, find_routes
 
 
 @dataclass(frozen=True)
@@ -77,14 +77,17 @@ def _pinches(nav: Navigation, names: Iterable[str]) -> list[float] | None:
         return None
     # Where the slim disc lies within a wide one that is free.
     covered = shapely.get_parts(wide.free.buffer((ADA.route - ADA.pinch) / 2))
-    mesh, solid = Mesh(slim.main), shapely.union_all([room_polygon(nav.scene.room).exterior, *nav.blocking.shapes])
+    mesh, solid = (
+        Triangulation(slim.main),
+        shapely.union_all([room_polygon(nav.scene.room).exterior, *nav.blocking.shapes]),
+    )
     found: list[float] = []
     for route in find_routes(nav.scene.room, slim, goals).values():
         found += _narrow(route.line, covered, mesh, solid)
     return found or [0.0]
 
 
-def _narrow(line: LineString, covered: NDArray[np.object_], mesh: Mesh, solid: BaseGeometry) -> list[float]:
+def _narrow(line: LineString, covered: NDArray[np.object_], mesh: Triangulation, solid: BaseGeometry) -> list[float]:
     """Return the lengths of the narrow stretches of a way, two that are not far enough apart as one."""
     rest = shapely.get_parts(line.difference(shapely.union_all(covered)))
     stretches: list[tuple[float, float]] = []
@@ -101,7 +104,7 @@ def _narrow(line: LineString, covered: NDArray[np.object_], mesh: Mesh, solid: B
     return [end - start for start, end in joined]
 
 
-def _through(part: LineString, covered: NDArray[np.object_], mesh: Mesh) -> LineString:
+def _through(part: LineString, covered: NDArray[np.object_], mesh: Triangulation) -> LineString:
     """Return the shortest way from one covered piece to the next where a part of a way leads from the one to the other."""
     first, last = (int(np.argmin(shapely.distance(covered, shapely.Point(part.coords[i])))) for i in (0, -1))
     if first == last:
