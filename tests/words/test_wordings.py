@@ -50,6 +50,7 @@ def links(text: str) -> set[tuple[str, ...]]:
         ("Books and plants stand along the walls.", {"book": 2, "plant": 2}),
         ("a bedroom for two children with a desk each", {"desk": 2}),
         ("a bedroom with a desk each for three children", {"desk": 3}),
+        ("a pantry with shelves on three walls", {"shelf": 3}),
         ("A judge's bench at the front, and three rows of benches at the back.", {"bench": 10}),
     ],
 )  # fmt: skip
@@ -82,6 +83,12 @@ def test_counts(text: str, counts: dict[str, int]) -> None:
         ("a cafe with two tables with four chairs each and a bar along the wall", {("with", "chair", "table"), ("wall", "bar", "wall")}),
         ("a table and four chairs by the window", {("by", "table", "window")}),
         ("a desk and chair in the left corner", {("in", "desk", "corner")}),
+        ("a desk by the window and two shelves on the opposite wall", {("by", "desk", "window"), ("on", "shelf", "wall")}),
+        (
+            "a sofa, two armchairs facing it and a table in between",
+            {("facing", "armchair", "sofa"), ("amid", "table", "armchair"), ("amid", "table", "sofa")},
+        ),
+        ("two sofas with a table in between", {("amid", "table", "sofa")}),
         ("a wall of bookshelves", {("wall", "bookshelf", "wall")}),
         ("a wall-mounted TV", {("on", "wallmounted tv", "wall")}),
         ("On the left a desk, on the right a bed.", {("in", "desk", "side"), ("in", "bed", "side")}),
@@ -188,6 +195,17 @@ def test_both_walls_and_each_wall_have_some() -> None:
         set(),
     ]
     assert walls_of("a hall with benches along both walls") == [{0, 2}, {1, 3}, {0, 2}, {1, 3}]
+
+
+def kinds(text: str) -> set[str]:
+    return {thing.noun.kind for thing in read_text(text, LEXICON).parsed.things}
+
+
+def test_company_tells_what_a_noun_means() -> None:
+    assert kinds("a kitchen with a breakfast bar and four stools") == {"kitchen island", "bar stool"}
+    assert kinds("a room with a counter, a table and four stools") >= {"stool"}
+    assert kinds("a bathroom with a double sink") == {"bathroom vanity"}
+    assert kinds("a kitchen with a double sink") == {"kitchen sink"}
 
 
 def test_rows_name_things_as_they_were_said() -> None:

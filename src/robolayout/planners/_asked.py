@@ -149,8 +149,10 @@ def needing_room(cast: Mapping[str, Cast], demands: Sequence[Demand]) -> set[str
     between = [demand.exact.asset_names() for demand in demands if demand.exact is not None]
     found = {middle for middle, *ends in between if {cast[end].anchor for end in ends} == {middle}}
     for one in only:
-        row = isinstance(one, InRows) and one.rows == 1
-        found |= {*one.asset_names()} if row else {*one.asset_names()[: one.name == "corner"]}
+        names = {*one.asset_names()}
+        alone = all(demand.names() <= names for demand in demands if names & demand.names())
+        row = isinstance(one, InRows) and one.rows == 1 and alone
+        found |= names if row else {*one.asset_names()[: one.name == "corner"]}
     return found
 
 

@@ -196,6 +196,14 @@ class About(References):
         there = sided[0].subjects if OTHER_SIDE[sided[0].relation] == "otherside" else ()
         return replace(chunk, value=OTHER_SIDE[sided[0].relation]), [*sided[0].objects, *there]
 
+    def _across_the_room(self, objects: Sequence[Item]) -> Sequence[Item]:
+        """Return what a relation leads to, the opposite wall told by the door or window of before: "a desk by the window, ..."."""
+        wall, last = place_in(objects[:1], "wall"), self.said.links[-1:]
+        if wall is None or wall.by or wall.plural or wall.words not in (("opposite",), ("opposing",)):
+            return objects
+        at = [place for k in last if k.start >= self.began and (place := place_in(k.objects[:1], "window", "door"))]
+        return [replace(wall, words=(), by=("opposite", at[0])), *objects[1:]] if at else objects
+
     def _walls(self, subjects: list[Mention], place: Place) -> list[Mention]:
         """Return what stands at the wall by which another is told: "the same wall as the crib", "the opposite wall"."""
         if place.name != "wall" or place.plural or place.by is not None:

@@ -39,7 +39,8 @@ class ClosedWords:
 
     def _overlaid(self, at: int, size: int) -> bool:
         """Return whether a relation that begins within this one goes on beyond it: "placed on either side of"."""
-        phrases = (self.words[i : at + size + more] for i in range(at + 1, at + size) for more in range(1, LONGEST))
+        left = min(LONGEST - 1, len(self.words) - at - size)
+        phrases = (self.words[i : at + size + more + 1] for i in range(at + 1, at + size) for more in range(left))
         return any(self.grammar.phrases.get(" ".join(words), ("", ""))[0] == "rel" for words in phrases)
 
     def _is_relation(self, phrase: str, end: int) -> bool:

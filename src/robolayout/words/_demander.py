@@ -129,10 +129,12 @@ class Demander(AtPlaces):
         return (replace(it, subjects=self._of_rows(it) or it.subjects) if relation in ways_of.ENDS else it).twos
 
     def _of_rows(self, it: Asked) -> list[str]:
-        """Return the middle one of straight rows that all look at one thing, or stand before it, or the first of several abreast."""
+        """Return the middle one of straight rows, or of several abreast, that all look at one thing or stand before it."""
         rows = len(it.subjects) > 2 and self.told.in_rows(it.subjects) and len(it.others) < 2
-        first = {self.told.first.get(a, "") for a in it.subjects} if len(it.subjects) > 1 > len(it.others) else {""}
-        return [it.subjects[self.told.abreast[it.subjects[0]] // 2]] if rows else [*first] if first != {""} else []
+        one = (
+            {self.told.middle.get(a, "") for a in it.subjects} if len(it.subjects) > 1 and len(it.others) < 2 else {""}
+        )
+        return [it.subjects[self.told.abreast[it.subjects[0]] // 2]] if rows else [*one] if one != {""} else []
 
     def _by_twos(self, it: Asked, relation: str) -> Iterator[Demand]:
         """Yield what the second of every two is asked to be to the first; or how two rows of them are turned."""
@@ -349,8 +351,9 @@ class Demander(AtPlaces):
             relation = "abreast apart"
         elif relation == "abreast" and not same:
             relation = "together"
-        ways = ways_of.IN_A_CHAIN[relation]
-        yield from (by_ways(ways, b, a) for a, b in pairwise(it.subjects))
+        ways, middle = ways_of.IN_A_CHAIN[relation], len(it.subjects) // 2
+        chains = (it.subjects[middle::-1], it.subjects[middle:]) if relation == "abreast" else (it.subjects,)
+        yield from (by_ways(ways, b, a) for chain in chains for a, b in pairwise(chain))
 
     def _rows(self, it: Asked) -> Iterator[Demand]:
         """Like things stand in a block, in so many rows if that is said; others near each other."""

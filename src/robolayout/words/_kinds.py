@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Set
 from dataclasses import replace
 
 from robolayout.assets import CATALOGUE
@@ -24,6 +25,7 @@ def settle_kinds(parsed: Parsed) -> None:
             for mention in mentions(link.objects):
                 mention.thing.sat_at = True
     music = bool({thing.noun.kind for thing in parsed.things} & small.INSTRUMENTS) and not heads & {"desk", "computer"}
+    _settle_by_company(parsed, heads)
     for thing in parsed.things:
         if thing.noun.said == "table" and {"small", "little"} & {*thing.adjectives}:  # "a small wooden table"
             thing.adjectives = tuple(word for word in thing.adjectives if word not in ("small", "little"))
@@ -41,6 +43,17 @@ def settle_kinds(parsed: Parsed) -> None:
     for link in parsed.links:
         _settle_by_others(link)
         _settle_by_place(link)
+
+
+def _settle_by_company(parsed: Parsed, heads: Set[str]) -> None:
+    """Take stools for high ones where there is a bar and no table, and the double sink of a bathroom for a vanity."""
+    bathroom = any(chunk.kind == "room" and chunk.value == "bathroom" for chunk in parsed.facts)
+    bar = heads & {"island", "counter"} and not heads & {"table", "desk", "piano", "bench"}
+    for thing in parsed.things:
+        if thing.noun.words == "stool" and bar:
+            _take(thing, "bar stool")
+        elif thing.noun.kind == "kitchen sink" and bathroom:
+            _take(thing, "bathroom vanity")
 
 
 def _take(thing: NamedThing, kind: str) -> None:

@@ -278,7 +278,13 @@ class Relating(About):
             self._refused(chunk, subjects, objects)
             return
         if chunk.value == "amid" and not objects:
-            objects = self._meant("them", chunk.value)
+            last = self.said.links[-1:]  # "a sofa, two armchairs facing it and a table in between"
+            two = [
+                k
+                for k in last
+                if k.relation in ("facing", "opposite") and mentions(k.objects) and k.start >= self.began
+            ]
+            objects = [*two[0].subjects, *two[0].objects] if two else self._meant("them", chunk.value)
         in_the_room = chunk.value in ("in", "on", "by", "around", "flank") and place_in(objects[:1], "room", "floor")
         if not objects and chunk.value not in small.ALONE:
             self._understood(*[chunk] * (chunk.value in ("in", "by") and self._ahead().kind in small.OF_THE_ROOM))
@@ -296,6 +302,7 @@ class Relating(About):
             self.fronted = (chunk, list(objects))
             self.group, self.acted = [], []
         elif subjects:
+            objects = self._across_the_room(objects)
             there = self._walls(subjects, place) if (place := place_in(objects[:1])) else []
             self._link(replace(chunk, value="atwalls") if there else chunk, subjects, [*objects, *there])
             self.acted = subjects

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from itertools import combinations, pairwise
@@ -12,7 +13,7 @@ from robolayout.assets.palette import STYLED, WOODS
 from robolayout.words._appositions import described
 from robolayout.words._chunk import Chunk
 from robolayout.words._chunks import PLACING, Chunker
-from robolayout.words._function_words import AFTER_A_PLACE, LEAST_SAID, YOUNG
+from robolayout.words._function_words import AFTER_A_PLACE, LEAST_SAID, ROUND, YOUNG
 from robolayout.words._kinds import settle_kinds
 from robolayout.words._lexicon import Lexicon, grammar
 from robolayout.words._parse import Parser
@@ -252,6 +253,8 @@ def sized(kind: Category, adjectives: Sequence[str], measures: Sequence[Measure]
         depth, width, height = depth * d, width * w, height * h
     if kind.name.startswith("round ") or "square" in adjectives:
         depth = width = min(depth, width)
+    elif ROUND & {*adjectives}:
+        depth = width = math.sqrt(depth * width)
     size = (round(depth, 3), round(width, 3), round(height, 3))
     for measure in measures:
         size = measure.on(size)

@@ -50,9 +50,9 @@ def grid_batches(site: Site, clusters: Sequence[Cluster]) -> Iterator[tuple[Grid
 
 
 def in_one_row(site: Site, clusters: Sequence[Cluster]) -> Cluster | None:
-    """Return the clusters of a row that is told as one, None where more rows are told."""
+    """Return the clusters of a row that is told as one, None where more rows are told or one of it belongs elsewhere."""
     rows = site.wants[clusters[0].anchor].rows
-    if rows is None or rows.rows != 1:
+    if rows is None or rows.rows != 1 or any(site.wants[one.name].anchor is not None for one in rows.items):
         return None
     extent, size = _extent(site, clusters[0]), site.size(clusters[0].anchor)
     gap = round(extent[3] - extent[1] - size[1] + rows.gap, 2)
