@@ -48,7 +48,8 @@ def settle_kinds(parsed: Parsed) -> None:
 def _settle_by_company(parsed: Parsed, heads: Set[str]) -> None:
     """Take stools for high ones where there is a bar and no table, and the double sink of a bathroom for a vanity."""
     bathroom = any(chunk.kind == "room" and chunk.value == "bathroom" for chunk in parsed.facts)
-    bar = heads & {"island", "counter"} and not heads & {"table", "desk", "piano", "bench"}
+    kinds = {thing.noun.kind for thing in parsed.things}
+    bar = kinds & {"kitchen island", "bar counter"} and not heads & {"table", "desk", "piano", "bench"}
     for thing in parsed.things:
         if thing.noun.words == "stool" and bar:
             _take(thing, "bar stool")

@@ -176,14 +176,10 @@ class AtPlaces:
             hung = all(self._asset(a).on_wall for a in subjects)
             told = walls_meant(self.room, place) if place.name == "wall" else []
             few = len(told) if place.det in ("each", "both") or (hung and place.det == "all") else place.number or 0
-            if (
-                1 < few <= min(len(subjects), len(told))
-            ):  # "on both long walls": each has some; "on two walls": an equal share
-                some = subjects[:: len(subjects) // few][:few] if few == len(told) else subjects
-                dealt = [
-                    [(a, walls[i * few // len(some)]) for i, a in enumerate(some)] for walls in combinations(told, few)
-                ]
-                at = ((stated(self._held(a, on), AssetRef(a), WallRef(wall.index)) for a, wall in one) for one in dealt)
+            if 1 < few <= min(len(subjects), len(told)):  # "shelves on both long walls": each of them has some
+                some = subjects[:: len(subjects) // few][:few]
+                sets = [zip(some, walls, strict=True) for walls in combinations(told, few)]
+                at = ((stated(self._held(a, on), AssetRef(a), WallRef(wall.index)) for a, wall in one) for one in sets)
                 yield Demand(tuple(map(tuple, at)))
                 found = [ways for a, ways in zip(subjects, found, strict=True) if a not in some]
             yield from (Demand(ways) for ways in found if ways)
