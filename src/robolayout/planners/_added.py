@@ -26,6 +26,13 @@ LARGER = 1.6  # how many times as large as usual a room is from which on it has 
 LIT = 22.0  # square metres that one ceiling lamp lights
 SPARE = 0.02  # metres between the top of a thing and the ceiling
 BROAD = 0.6  # metres of width from which on what flanks a thing takes the place of what usually stands there
+ALONE_ON_A_RUG = (
+    "table",
+    "kids table",
+    "bed",
+    "narrow bed",
+    "child bed",
+)  # roles of what has a rug where it is the only one
 SEATS = {"bench", "stool", "pew", "floor cushion"}  # what people sit on at tables in place of chairs
 
 
@@ -120,7 +127,7 @@ class Added:
             if (bearer := self.wishes.role(other)) is not None:
                 counts[bearer.name] += count
         over = next((kind for kind in role.above if counts[kind]), "") if role and role.stands == ("rug",) else ""
-        return counts[over] > 1
+        return over in ALONE_ON_A_RUG and counts[over] > 1
 
     def _room_on_tops(self, group: Mapping[str, int]) -> bool:
         """Whether tops have room for everything that is added and can stand on some."""

@@ -336,12 +336,12 @@ class BuildPass:
 
     def _better_split(self, cluster: Cluster, modes: Modes, weights: Mapping[str, float], cost: float) -> bool:
         """Split a cluster that has no place, or none at so much that is better than where its parts come to stand."""
-        site, done, lost = self.site.copy(), len(self.steps), self.lost
+        site, done, lost, missed = self.site.copy(), len(self.steps), self.lost, set(self.missed)
         if not self._split(cluster, modes, weights):
             return False
         if cost > COSTS.bearable or sum(step.cost for step in self.steps[done:]) <= cost:
             return True
-        self.site, self.lost = site, lost
+        self.site, self.lost, self.missed = site, lost, missed
         del self.steps[done:]
         return False
 
