@@ -26,13 +26,9 @@ LARGER = 1.6  # how many times as large as usual a room is from which on it has 
 LIT = 22.0  # square metres that one ceiling lamp lights
 SPARE = 0.02  # metres between the top of a thing and the ceiling
 BROAD = 0.6  # metres of width from which on what flanks a thing takes the place of what usually stands there
-ALONE_ON_A_RUG = (
-    "table",
-    "kids table",
-    "bed",
-    "narrow bed",
-    "child bed",
-)  # roles of what has a rug where it is the only one
+ALONE_ON_A_RUG = ("table", "kids table", "bed", "narrow bed", "child bed")
+"""Roles of what has a rug below it where it is the only one."""
+
 SEATS = {"bench", "stool", "pew", "floor cushion"}  # what people sit on at tables in place of chairs
 
 
