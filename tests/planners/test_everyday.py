@@ -38,6 +38,9 @@ SENTENCES = (
     "a dressing room with a vanity, a stool and three wardrobes in a row",
     "a shop with four clothing racks, a checkout counter near the door and a mirror",
     "a reception with a bench, a coffee machine and a plant in each corner",
+    "a kitchen with a breakfast bar and four stools, and a fridge beside the stove",
+    "a home office with a desk by the window, a chair and two bookshelves on the opposite wall",
+    "a meeting room with a table and eight chairs by the window",
 )
 
 
@@ -111,6 +114,15 @@ def test_seats_before_a_fireplace_look_at_it() -> None:
 def test_shelves_on_both_long_walls_are_on_both() -> None:
     result = rl.generate("a storage room of 6 x 4 m with shelves on both long walls")
     assert sorted(round(result.layout[name].y) for name in of(result, "shelving_unit")) == [0, 4]
+
+
+def test_stools_stand_at_the_bar_and_shelves_across_from_the_window() -> None:
+    kitchen = rl.generate("a kitchen with a breakfast bar and four stools, and a fridge beside the stove")
+    (bar,) = of(kitchen, "kitchen_island")
+    assert all(abs(along(kitchen, stool, bar)) < 1.0 for stool in of(kitchen, "bar_stool"))
+    office = rl.generate("a home office with a desk by the window, a chair and two bookshelves on the opposite wall")
+    (desk,) = of(office, "desk")
+    assert all(math.cos(office.layout[n].yaw - office.layout[desk].yaw) < -0.99 for n in of(office, "bookshelf"))
 
 
 def test_a_bed_in_a_corner_has_one_night_stand_and_tables_in_pairs_no_rug() -> None:
