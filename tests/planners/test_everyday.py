@@ -41,6 +41,11 @@ SENTENCES = (
     "a kitchen with a breakfast bar and four stools, and a fridge beside the stove",
     "a home office with a desk by the window, a chair and two bookshelves on the opposite wall",
     "a meeting room with a table and eight chairs by the window",
+    "a living room with a sofa under the window, a TV on the opposite wall and a coffee table in between",
+    "a living room with three bookshelves in a row along the back wall and a reading chair next to them",
+    "a gym with five treadmills in a row facing the mirrors",
+    "a computer lab with twelve computers in three rows and a teacher's desk in front",
+    "a classroom with twenty desks and a teacher's desk",
 )
 
 

@@ -197,6 +197,22 @@ def test_both_walls_and_each_wall_have_some() -> None:
     assert walls_of("a hall with benches along both walls") == [{0, 2}, {1, 3}, {0, 2}, {1, 3}]
 
 
+@pytest.mark.parametrize(
+    "text",
+    [
+        "a classroom with twenty desks and a teacher's desk, a globe on it and a bookshelf on the opposite wall",
+        "two beds and a crib between them, each with a lamp on either side, one of them red and the other blue",
+        "a bar with eight stools lined up in front of the counter, half of them high, and booths along both walls",
+        "a desk each for two children, side by side under the window, with a shelf above each in between",
+    ],
+)
+def test_a_text_may_end_after_any_word(text: str) -> None:
+    """A list of which the last thing was the last word of all ended in an IndexError."""
+    words = text.replace(",", " ,").split()
+    for end in range(1, len(words) + 1):
+        assert read_text(" ".join(words[:end]), LEXICON).words
+
+
 def kinds(text: str) -> set[str]:
     return {thing.noun.kind for thing in read_text(text, LEXICON).parsed.things}
 

@@ -120,6 +120,12 @@ def subjects(demands: Iterable[Demand]) -> set[str]:
     return {name for names, rows in placing for name in (names if rows else names[:1])}
 
 
+def looked_at(demands: Iterable[Demand]) -> dict[str, str]:
+    """Return what is asked to look at another thing, with that."""
+    pairs = (one.asset_names() for one in said(demands) if one.name == "point_towards")
+    return {pair[0]: pair[1] for pair in pairs if len(pair) == 2}
+
+
 def hung_over(scene: Scene, demands: Iterable[Demand]) -> dict[str, str]:
     """Return what stands on the floor below what is asked to hang above it, or above what it bears, on a wall, with the first of that."""
     found = dict[str, str]()

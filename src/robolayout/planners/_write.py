@@ -48,6 +48,7 @@ class Writer:
     asked: Set[str]  # things of which the user's words say where they stand: roles only wish then
     first: Set[str]  # those of them that are placed first, before their corner or the wall for all of a row is taken
     walled: Set[str]  # those of them whose wall the words leave to them
+    looked: Mapping[str, str]  # what is asked to look at something, and that
     # what the words hang something above on the wall, and what that is: nothing else hangs there
     below: Mapping[str, str]
 
@@ -266,7 +267,9 @@ class Writer:
     def _faced(self, item: Cast) -> Iterator[str]:
         """Yield what a thing looks at."""
         face, a, names = item.role.face, self._name(item.name), self._faces(item)
-        if not names:
+        there = self.looked.get(item.name, "")
+        elsewhere = there and not {there, self.cast[there].anchor} & {*names}  # a sofa that faces the piano
+        if not names or elsewhere:
             return
         angle = "" if face.how == "toward" else ", 180"
         looks = [f"point_towards({a}, {self._name(n)}{angle})" for n in names]

@@ -8,7 +8,15 @@ from dataclasses import replace
 from pathlib import Path
 
 from robolayout.assets import CATALOGUE
-from robolayout.planners._asked import asked_lines, held_by_walls, hung_over, join_as_asked, needing_room, subjects
+from robolayout.planners._asked import (
+    asked_lines,
+    held_by_walls,
+    hung_over,
+    join_as_asked,
+    looked_at,
+    needing_room,
+    subjects,
+)
 from robolayout.planners._knowledge import SLOTS, Knowledge, load_knowledge
 from robolayout.planners._roles import Cast, cast_scene, chain, passage
 from robolayout.planners._types import Group, PlanRequest
@@ -65,9 +73,8 @@ class OfflinePlanner:
         cast = join_as_asked(cast_scene(scene, self.knowledge), request.asked, passage(scene))
         about = set(request.group.items) if request.group else set(cast)
         words = request.asked
-        writer = Writer(
-            scene, cast, subjects(words), needing_room(cast, words), held_by_walls(words), hung_over(scene, words)
-        )
+        first, walled = needing_room(cast, words), held_by_walls(words)
+        writer = Writer(scene, cast, subjects(words), first, walled, looked_at(words), hung_over(scene, words))
         names = {written: name for name, written in scene.expressions.items()}
         text = ["# Walls: " + "; ".join(_wall(wall, scene.room) for wall in scene.room.walls)]
         asked = asked_lines(scene, request.asked, about | known)

@@ -279,9 +279,9 @@ class Demander(AtPlaces):
         if one := self._of_rows(it):  # the others look as it does
             yield Demand((tuple(stated("align_with", AssetRef(a), AssetRef(*one)) for a in subjects if a not in one),))
             subjects = one
-        elif len(subjects) >= ways_of.CROWD and len(others) == 1 and alike(self.scene, subjects):
+        elif len(subjects) >= ways_of.CROWD and 0 < len(others) < len(subjects) and alike(self.scene, subjects):
             turn = 0.0 if self._is(subjects[0], ("desk", "table")) else 180.0  # a crowd looks one way
-            yield from (single(stated("align_with", AssetRef(a), AssetRef(*others), turn)) for a in subjects)
+            yield from (single(stated("align_with", AssetRef(a), AssetRef(others[0]), turn)) for a in subjects)
             return
         for i, a in enumerate(subjects):
             targets = [AssetRef(b) for b in others if b != a] if others else self._points(it.place)
@@ -418,6 +418,8 @@ class Demander(AtPlaces):
 
     def _within(self, a: str, end: AssetRef | PointRef) -> float:
         """Return how far from an end a thing between two stands: what is narrower than itself flanks it."""
+        if isinstance(end, AssetRef) and self._only_wall(end.name):
+            return ways_of.ACROSS  # "a TV on the opposite wall and a table in between"
         if isinstance(end, AssetRef) and end.name not in self.told.abreast:
             return ways_of.BESIDE if self._asset(end.name).size[1] < self._asset(a).size[1] else ways_of.AHEAD
         return ways_of.AHEAD

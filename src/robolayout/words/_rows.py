@@ -40,7 +40,12 @@ class ToldRows:
     def __init__(self, scene: Scene, links: Sequence[tuple[Link, Sequence[str], Sequence[str]]]) -> None:
         self.scene = scene
         # beside these others stand, so that they are no unbroken row
-        self.flanked = {name for link, _, to in links if link.relation in (*AT_SIDES, "amid") for name in to}
+        self.flanked = {
+            name
+            for link, about, to in links
+            if link.relation in ("amid", "flank") or (link.relation in AT_SIDES and len(about) > 1)
+            for name in to
+        }
         # over the backs of desks look those who sit at them
         self.turned = {
             name: "facing" if link.relation == "mutual" and "desk" not in scene.by_name[name].category else "paired"
