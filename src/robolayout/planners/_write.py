@@ -254,11 +254,11 @@ class Writer:
                 yield from self._fill(wished, values | {"others": self._list(others)}, -weight if away else weight)
 
     def _cleared(self, item: Cast) -> Iterator[str]:
-        """Yield the sides that a thing wants clear, where its kind does not say it; a seat that stands by itself is not pushed back."""
-        by_itself = item.join.slot in ("", "beside")
+        """Yield the sides that a thing wants clear, where its kind does not say it; a seat beside a thing is not pushed back."""
+        aside = item.join.slot == "beside"
         in_a_block = len(self._equal(item)) >= item.role.prefer.get("block", math.inf)
         for side, depth in item.role.clear.items() if item.asset.on_floor else ():
-            if side == "back" and by_itself:
+            if side == "back" and aside:
                 continue
             for one in (("left", "right") if not in_a_block else ()) if side == "side" else (side,):
                 wide = depth if depth > 0 else passage(self.scene)
