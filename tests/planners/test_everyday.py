@@ -6,11 +6,14 @@ The checks look at poses and sizes alone.
 from __future__ import annotations
 
 import math
+from functools import cache
 
 import pytest
 
 import robolayout as rl
 from robolayout.run.result import Result
+
+made = cache(rl.generate)
 
 SENTENCES = (
     "a living room with two sofas facing each other and a fireplace",
@@ -51,7 +54,7 @@ SENTENCES = (
 
 @pytest.mark.parametrize("text", SENTENCES)
 def test_everything_is_met_and_nothing_stands_askew(text: str) -> None:
-    result = rl.generate(text)
+    result = made(text)
     assert result.report.ok, result.report.violations
     assert [row["words"] for row in result.report.to_dict()["asked"] if row["verdict"] != "met"] == []
     askew = [name for name in result.layout if abs(math.sin(2 * result.layout[name].yaw)) > 0.02]
@@ -62,15 +65,9 @@ def of(result: Result, kind: str) -> list[str]:
     return [name for name in result.layout if name.rsplit("-", 1)[0] == kind]
 
 
-def ahead(result: Result, name: str) -> tuple[float, float]:
-    yaw = result.layout[name].yaw
-    return math.cos(yaw), math.sin(yaw)
-
-
 def along(result: Result, name: str, one: str) -> float:
     """Return how far a thing is in front of another one, centre to centre."""
-    here, there, (x, y) = result.layout[one], result.layout[name], ahead(result, one)
-    return (there.x - here.x) * x + (there.y - here.y) * y
+    return result.layout[one].seen(result.layout[name].at)[0]
 
 
 @pytest.mark.parametrize(
@@ -82,7 +79,7 @@ def along(result: Result, name: str, one: str) -> float:
     ],
 )
 def test_what_is_between_two_of_a_kind_has_its_back_to_their_wall(text: str, outer: str, middle: str) -> None:
-    result = rl.generate(text)
+    result = made(text)
     (centre,), ends = of(result, middle), of(result, outer)
     depth = result.scene.by_name[centre].size[0]
     for end in ends:
@@ -100,43 +97,44 @@ def test_what_is_between_two_of_a_kind_has_its_back_to_their_wall(text: str, out
     ],
 )
 def test_a_crowd_looks_one_way_in_straight_rows(text: str, kind: str, rows: int) -> None:
-    result = rl.generate(text)
+    result = made(text)
     crowd = of(result, kind)
-    assert {round(ahead(result, name)[0], 1) for name in crowd} == {round(ahead(result, crowd[0])[0], 1)}
+    assert {round(result.layout[name].forward[0], 1) for name in crowd} == {
+        round(result.layout[crowd[0]].forward[0], 1)
+    }
     assert len({round(along(result, name, crowd[0]), 1) for name in crowd}) == rows
 
 
 def test_seats_before_a_fireplace_look_at_it() -> None:
-    result = rl.generate("a living room with a fireplace and two armchairs in front of the fireplace")
+    result = made("a living room with a fireplace and two armchairs in front of the fireplace")
     (fire,) = of(result, "fireplace")
     assert of(result, "television") == []
     for chair in of(result, "armchair")[:2]:
-        x, y = result.layout[fire].x - result.layout[chair].x, result.layout[fire].y - result.layout[chair].y
-        seen = (x * ahead(result, chair)[0] + y * ahead(result, chair)[1]) / math.hypot(x, y)
-        assert seen > math.cos(math.radians(50)), chair
+        ahead, left = result.layout[chair].seen(result.layout[fire].at)
+        assert ahead / math.hypot(ahead, left) > math.cos(math.radians(50)), chair
 
 
 def test_shelves_on_both_long_walls_are_on_both() -> None:
-    result = rl.generate("a storage room of 6 x 4 m with shelves on both long walls")
+    result = made("a storage room of 6 x 4 m with shelves on both long walls")
     assert sorted(round(result.layout[name].y) for name in of(result, "shelving_unit")) == [0, 4]
 
 
 def test_stools_stand_at_the_bar_and_shelves_across_from_the_window() -> None:
-    kitchen = rl.generate("a kitchen with a breakfast bar and four stools, and a fridge beside the stove")
+    kitchen = made("a kitchen with a breakfast bar and four stools, and a fridge beside the stove")
     (bar,) = of(kitchen, "kitchen_island")
     assert all(abs(along(kitchen, stool, bar)) < 1.0 for stool in of(kitchen, "bar_stool"))
-    office = rl.generate("a home office with a desk by the window, a chair and two bookshelves on the opposite wall")
+    office = made("a home office with a desk by the window, a chair and two bookshelves on the opposite wall")
     (desk,) = of(office, "desk")
     assert all(math.cos(office.layout[n].yaw - office.layout[desk].yaw) < -0.99 for n in of(office, "bookshelf"))
 
 
 def test_a_bed_in_a_corner_has_one_night_stand_and_tables_in_pairs_no_rug() -> None:
-    assert len(of(rl.generate("a bedroom with the bed in the corner"), "night_stand")) == 1
-    assert of(rl.generate("a library with two reading tables with four chairs each"), "rug") == []
+    assert len(of(made("a bedroom with the bed in the corner"), "night_stand")) == 1
+    assert of(made("a library with two reading tables with four chairs each"), "rug") == []
 
 
 def test_cushions_lie_around_a_low_table() -> None:
-    result = rl.generate("a tatami room with a low table and four floor cushions")
+    result = made("a tatami room with a low table and four floor cushions")
     table = result.layout["low_table-0"]
     away = [math.hypot(result.layout[n].x - table.x, result.layout[n].y - table.y) for n in of(result, "floor_cushion")]
     assert len(away) == 4
@@ -144,6 +142,6 @@ def test_cushions_lie_around_a_low_table() -> None:
 
 
 def test_every_desk_of_an_internet_cafe_and_every_table_has_chairs() -> None:
-    result = rl.generate("an internet cafe with ten computer desks in two rows back to back")
+    result = made("an internet cafe with ten computer desks in two rows back to back")
     assert len(of(result, "office_chair")) == 10
     assert len(of(result, "chair")) >= 2 * len(of(result, "round_table"))

@@ -8,8 +8,6 @@ from __future__ import annotations
 
 import io
 import re
-import struct
-import zlib
 from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any
@@ -20,15 +18,10 @@ from numpy.typing import NDArray
 from robolayout._color import encoded, linear
 from robolayout._reading.glb import check_glb
 from robolayout._reading.limits import LIMITS
-from robolayout._reading.syntax import Unreadable, decoded, xml_root
+from robolayout._reading.syntax import FOREIGN_ERRORS, Unreadable, decoded, xml_root
 
 Array = NDArray[np.float64]
 
-FOREIGN_ERRORS = (
-    ArithmeticError, AssertionError, AttributeError, EOFError, ImportError, LookupError, MemoryError, NameError,
-    OSError, RuntimeError, SyntaxError, TypeError, ValueError, struct.error, zlib.error,
-)  # fmt: skip
-"""What code of others raises on broken files, and files of one's own when they run."""
 _PIECES = {
     ".obj": re.compile(rb"^[ \t]*(?:[og]|usemtl)\b", re.MULTILINE),
     ".stl": re.compile(rb"^\s*solid", re.MULTILINE),

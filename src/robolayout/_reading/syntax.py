@@ -11,6 +11,7 @@ import json
 import math
 import re
 import struct
+import zlib
 from itertools import accumulate
 from typing import TYPE_CHECKING, cast
 
@@ -30,6 +31,12 @@ _LONG_KEY = re.compile(rf"(?<![\w-])(?:[\w-]*+[ \t]*+\.[ \t]*+){{{LIMITS.depth}}
 _STEPS = {ord("["): 1, ord("{"): 1, ord("]"): -1, ord("}"): -1}
 _NO_BRACKETS = bytes(set(range(256)) - set(_STEPS))
 _DECLARES = re.compile(r"<!(?:DOCTYPE|ENTITY)", re.IGNORECASE)
+
+FOREIGN_ERRORS = (
+    ArithmeticError, AssertionError, AttributeError, EOFError, ImportError, LookupError, MemoryError, NameError,
+    OSError, RuntimeError, SyntaxError, TypeError, ValueError, struct.error, zlib.error,
+)  # fmt: skip
+"""What code of others raises on broken files, and files of one's own when they run."""
 
 ASTRAY = (ArithmeticError, AttributeError, LookupError, TypeError, ValueError, struct.error)
 """What is tripped over in data of another form."""

@@ -14,7 +14,7 @@ from types import MappingProxyType, ModuleType
 from typing import TypeVar
 
 from robolayout._errors import InputError
-from robolayout._reading.mesh import FOREIGN_ERRORS
+from robolayout._reading.syntax import FOREIGN_ERRORS
 from robolayout.constraints._relation import Relation
 
 _KNOWN: dict[str, type[Relation]] = {}

@@ -57,7 +57,8 @@ class Added:
         self.named = self.spared | self.wished.keys()
         said = wishes.reading.parsed.links
         corners = (link for link in said if link.relation == "corner" or place_in(link.objects[:1], "corner"))
-        self.cornered = {wishes.kind(mention.thing) for link in corners for mention in link.subjects}
+        roles = (wishes.role(wishes.kind(mention.thing)) for link in corners for mention in link.subjects)
+        self.cornered = {role.name for role in roles if role is not None}
         self.ceiling = (wishes.reading.measure("height") or (math.inf,))[0]
         self.found: dict[str, int] = {}
 
@@ -160,8 +161,8 @@ class Added:
 
     def _at_open_sides(self, name: str, most: int) -> int:
         """Return how many of a thing are added: one where it usually stands beside what is asked into a corner."""
-        role, owners = self.wishes.role(name), map(self.wishes.role, self.cornered)
-        return 1 if role and any(owner and role.stands_beside(owner.name) for owner in owners) else most
+        role = self.wishes.role(name)
+        return 1 if role is not None and any(map(role.stands_beside, self.cornered)) else most
 
     def _of_another(self, name: str, owner: str) -> bool:
         """Return whether a thing is said to be around, or with, other things than its owner alone: the chairs of a table."""

@@ -157,8 +157,10 @@ def needing_room(cast: Mapping[str, Cast], demands: Sequence[Demand]) -> set[str
     for one in only:
         names = {*one.asset_names()}
         alone = all(demand.names() <= names for demand in demands if names & demand.names())
-        row = isinstance(one, InRows) and one.rows == 1 and alone
-        found |= names if row else {*one.asset_names()[: one.name == "corner"]}
+        if one.name == "corner":
+            found.add(one.asset_names()[0])
+        elif isinstance(one, InRows) and one.rows == 1 and alone:
+            found |= names
     return found
 
 

@@ -223,10 +223,8 @@ def _blocks(wishes: RoomWishes) -> Iterator[tuple[float, float]]:
         if link.relation in ("row", "abreast") and line:
             sizes = [(one.count, *wishes.kinds[wishes.kind(one.thing)].size) for one in line]
             wide = sum(count * width for count, _, width, _ in sizes) + SIZES.around
-            yield (
-                wide,
-                wide * (max(height for *_, height in sizes) > SIZES.low),
-            )  # a wall without a window for tall things
+            tall = max(height for *_, height in sizes) > SIZES.low
+            yield wide, wide if tall else 0.0  # tall things need a wall without a window
         things = [mention.thing for mention in link.subjects] if link.relation == "rows" and link.rows > 1 else []
         for thing in things[:1]:
             kind = wishes.kind(thing)

@@ -61,10 +61,8 @@ def _listed(chunks: Sequence[Chunk], at: int) -> list[Item]:
     items = _items(chunks, at + 2, stops[0], several)
     if not items and _items(chunks, stops[0] + 1, stops[0] + 2, several):
         items = _items(chunks, stops[0] + 1, stops[1], several)
-    total, share = (
-        sum(item.number or 1 for item, _, _ in items),
-        [_at(chunks, start + 1).value for _, start, _ in items[:1]],
-    )
+    total = sum(item.number or 1 for item, _, _ in items)
+    share = [_at(chunks, start + 1).value for _, start, _ in items[:1]]
     many = several.number or (2 if several.det == "both" else total)
     some = share in (["of"], ["of them"]) and total < many  # "two chairs, one of them red"
     return items if some or (len(items) > 1 and total == many) else []

@@ -130,11 +130,12 @@ class Demander(AtPlaces):
 
     def _of_rows(self, it: Asked) -> list[str]:
         """Return the middle one of straight rows, or of several abreast, that all look at one thing or stand before it."""
-        rows = len(it.subjects) > 2 and self.told.in_rows(it.subjects) and len(it.others) < 2
-        one = (
-            {self.told.middle.get(a, "") for a in it.subjects} if len(it.subjects) > 1 and len(it.others) < 2 else {""}
-        )
-        return [it.subjects[self.told.abreast[it.subjects[0]] // 2]] if rows else [*one] if one != {""} else []
+        if len(it.subjects) < 2 or len(it.others) > 1:
+            return []
+        if len(it.subjects) > 2 and self.told.in_rows(it.subjects):
+            return [it.subjects[self.told.abreast[it.subjects[0]] // 2]]
+        middles = {self.told.middle.get(a) for a in it.subjects}
+        return [a for a in it.subjects if middles == {a}]
 
     def _by_twos(self, it: Asked, relation: str) -> Iterator[Demand]:
         """Yield what the second of every two is asked to be to the first; or how two rows of them are turned."""

@@ -278,13 +278,7 @@ class Relating(About):
             self._refused(chunk, subjects, objects)
             return
         if chunk.value == "amid" and not objects:
-            last = self.said.links[-1:]  # "a sofa, two armchairs facing it and a table in between"
-            two = [
-                k
-                for k in last
-                if k.relation in ("facing", "opposite") and mentions(k.objects) and k.start >= self.began
-            ]
-            objects = [*two[0].subjects, *two[0].objects] if two else self._meant("them", chunk.value)
+            objects = self._between_the_last() or self._meant("them", chunk.value)
         in_the_room = chunk.value in ("in", "on", "by", "around", "flank") and place_in(objects[:1], "room", "floor")
         if not objects and chunk.value not in small.ALONE:
             self._understood(*[chunk] * (chunk.value in ("in", "by") and self._ahead().kind in small.OF_THE_ROOM))
@@ -307,6 +301,13 @@ class Relating(About):
             self._link(replace(chunk, value="atwalls") if there else chunk, subjects, [*objects, *there])
             self.acted = subjects
             self.verb = False
+
+    def _between_the_last(self) -> list[Item]:
+        """Return what faces another thing, and that, where it was said last: "two armchairs facing it and a table in between"."""
+        last = self.said.links[-1] if self.said.links else None
+        if last is None or last.relation not in ("facing", "opposite") or last.start < self.began:
+            return []
+        return [*last.subjects, *last.objects] if mentions(last.objects) else []
 
     def _of_a_zone(self, index: int) -> bool:
         """Return whether a relation is about a part of the room, so that no thing stands there: "a kitchenette along the wall"."""

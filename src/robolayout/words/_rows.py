@@ -55,9 +55,8 @@ class ToldRows:
         }
         told = [link for link in links if link[0].relation in ("row", "rows", "columns") and alike(scene, link[1])]
         abreast = (named for link, named, _ in links if link.relation == "abreast" and alike(scene, named))
-        self.middle = {
-            name: named[len(named) // 2] for named in abreast for name in named
-        }  # of those that are side by side
+        # of those that are side by side, the one that tells how the others are turned
+        self.middle = {name: named[len(named) // 2] for named in abreast for name in named}
         self.count = {name: lines(scene, link, named) for link, named, _ in told for name in named}
         self.abreast = {name: math.ceil(len(named) / (self.count[name] or 1)) for _, named, _ in told for name in named}
 

@@ -18,9 +18,9 @@ that face each other."""
 AISLE = 2.0
 """Metres between two rows between which something stands and can be got to."""
 
-AHEAD, WATCHING, BACK, BACK_WALL = 1.5, 2.5, 1.2, 2.0
-"""Metres from edge to edge that "in front of" allows, of what seats look at, too, "behind", and behind what stands free to what hangs
-on the wall."""
+AHEAD, LOOKING, BACK, BACK_WALL = 1.5, 2.5, 1.2, 2.0
+"""Metres from edge to edge that "in front of" allows, in front of what a seat looks at, "behind", and behind what stands free to what
+hangs on the wall."""
 
 ACROSS = 12.0
 """Metres that may lie between two things that are opposite to each other."""
@@ -73,8 +73,8 @@ WATCHED = ("fireplace", "television", "screen")
 """Last words of what one looks at who sits before it."""
 
 BEFORE_WATCHED: Ways = (
-    (("in_front_of", 0.0, WATCHING), ("point_towards",)),
-    (("near", WATCHING), ("align_with", 180.0)),
+    (("in_front_of", 0.0, LOOKING), ("point_towards",)),
+    (("near", LOOKING), ("align_with", 180.0)),
 )
 """Where seats stand that are in front of what is looked at: before it, or beside one that is, turned alike."""
 

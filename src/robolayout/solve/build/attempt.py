@@ -278,14 +278,10 @@ class BuildPass:
         if limit is not None and cost > limit:
             self.lost = before
             return False
-        if (
-            cost > COSTS.much
-            and limit is None
-            and len(cluster.members) > 1
-            and self._better_split(cluster, modes, weights, cost)
-        ):
+        dear = cost > COSTS.much and limit is None
+        if dear and len(cluster.members) > 1 and self._better_split(cluster, modes, weights, cost):
             return True
-        if cost > COSTS.much and limit is None and "middle" not in modes:
+        if dear and "middle" not in modes:
             self.lost = before
             return self._place(cluster, {**modes, "middle": MISSED}, weights)
         if self.site.missed(batch.cluster.members, batch.poses[[row]])[0] >= MISSED:
@@ -335,7 +331,7 @@ class BuildPass:
         return chosen
 
     def _better_split(self, cluster: Cluster, modes: Modes, weights: Mapping[str, float], cost: float) -> bool:
-        """Split a cluster that has no place, or none at so much that is better than where its parts come to stand."""
+        """Split a cluster whose best place costs so much, unless that is bearable and its parts come to stand worse."""
         site, done, lost, missed = self.site.copy(), len(self.steps), self.lost, set(self.missed)
         if not self._split(cluster, modes, weights):
             return False

@@ -55,10 +55,10 @@ def looks(site: Site) -> float:
 def _along_walls(site: Site, batch: Places, weights: Mapping[str, float]) -> Cost:
     """Return the cost of where on its wall a thing stands and what it hides there, and what goes by it has behind it."""
     _, width, _ = site.size(batch.cluster.anchor)
-    low_ones = [m for m in batch.cluster.members if not m.bottom]
-    boxes = [(box_of(m, site.size(m.name)), m.name) for m in low_ones]
+    standing = [m for m in batch.cluster.members if not m.bottom]
+    boxes = [(box_of(m, site.size(m.name)), m.name) for m in standing]
     beside = [(y0, y1, name) for (x0, y0, _, y1), name in boxes if x0 <= boxes[0][0][0] + AT_WALL and y1 - y0 > NARROW]
-    shades = {m.name: max(0.0, -site.wants[m.name].weights.get("at_window", 0.0)) for m in low_ones[1:]}
+    shades = {m.name: max(0.0, -site.wants[m.name].weights.get("at_window", 0.0)) for m in standing[1:]}
     crown = max(member.bottom + site.size(member.name)[2] for member in batch.cluster.members)
     wished = site.wants[batch.cluster.anchor].walls
     elsewhere = max(wished.values(), default=0.0)
