@@ -246,11 +246,9 @@ def wall_holds(so_far: Accepted, relation: Relation) -> Answer:
     able = [wall for wall in so_far.scene.room.walls if _trouble(so_far, relation, wall.index) is None]
     if not able:
         why = f"{trouble}, and no other wall can hold {'it' if len(subjects(relation)) == 1 else 'them'}"
-        return (
-            Replacement(replace(relation, wall=None), f"{why}, so the row has none")
-            if isinstance(relation, Row)
-            else why
-        )
+        if isinstance(relation, Row):
+            return Replacement(replace(relation, wall=None), f"{why}, so the row has none")
+        return why
     if place is None:
         best = min(able, key=lambda wall: (round(math.dist(wall.midpoint, asked.midpoint), 9), wall.index))
         why = f"{trouble}; walls[{best.index}] is the nearest that can hold it"
