@@ -87,6 +87,14 @@ def shares(count: int, table: tuple[float, float], width: float) -> dict[str, in
     return result
 
 
+def most_seats(table: Asset, seat: Asset) -> int:
+    """Return how many seats of a width stand around a table: side by side at its long sides, and one at each end."""
+    depth, width, _ = table.size
+    if _is_round(table):
+        return int(math.pi * (max(depth, width) + seat.size[0]) / seat.size[1])
+    return 2 * max(1, int(max(depth, width) / seat.size[1] + 1e-6)) + 2
+
+
 @dataclass(frozen=True)
 class Around(Relation):
     """The `items` stand evenly around `b`, `gap` m from its edge (None: as people leave them, under it), each facing it."""

@@ -64,12 +64,12 @@ class InRows(Relation):
         off = max(max(line) - min(line) for line in lines)
         longest = max(map(len, lines))
         even = self.rows is None or (len(lines) == self.rows and longest <= math.ceil(len(self.items) / self.rows))
-        turns = [{(k % 2 == 0) == (self.backs == "facing")} for k in range(len(lines))]
+        turns = [[{(k % 2 == first) == (self.backs == "facing")} for k in range(len(lines))] for first in (0, 1)]
         met = (
             off <= 2 * TOLERANCE.gap
             and turned <= TOLERANCE.angle
             and even
-            and (self.backs == "alike" or ahead == turns)
+            and (self.backs == "alike" or ahead in turns[: 1 + len(lines) % 2])  # one row of three is by itself
         )
         text = f"{len(lines)} rows of at most {longest}, up to {off:.2f} m out of line, {turned:.0f} deg off"
         return Outcome(met, off, 2 * TOLERANCE.gap, "m", text)

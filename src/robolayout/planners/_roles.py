@@ -9,6 +9,7 @@ from dataclasses import dataclass, replace
 
 from robolayout.assets import Category, category_of
 from robolayout.assets.lexicon import place_of
+from robolayout.constraints.around import most_seats
 from robolayout.planners._knowledge import ALONE, ON_ANY, Join, Knowledge, Role
 from robolayout.scene import Agent, Asset, Scene
 from robolayout.scene.agent import horizontal_reach
@@ -136,7 +137,7 @@ def _anchor(item: Cast, cast: Mapping[str, Cast], handy: Set[str]) -> tuple[str,
                 for order, (name, other) in enumerate(cast.items())
                 if (name in handy or not join.on_top)
                 and (other.role.name == wanted or (wanted == "*" and other.role.top))
-                and taken[name] < join.most
+                and taken[name] < _most(item.asset, other.asset, join)
                 and item.name not in chain(name, cast)
                 and _room_for(item.asset, other.asset, join, _covered(name, cast))
             ]
@@ -169,6 +170,11 @@ def _any_top(item: Cast, cast: Mapping[str, Cast]) -> tuple[str, Join] | None:
         if other.asset.on_floor and not other.asset.is_flat and item.name not in chain(name, cast)
     ]
     return (min(best)[-1], ON_ANY) if best else None
+
+
+def _most(asset: Asset, other: Asset, join: Join) -> int:
+    """Return how many of an asset may join another one; around it stand no more than fit."""
+    return min(join.most, most_seats(other, asset)) if join.slot == "around" else join.most
 
 
 def _room_for(asset: Asset, other: Asset, join: Join, covered: float) -> bool:

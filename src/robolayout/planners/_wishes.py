@@ -56,6 +56,7 @@ Size = tuple[float, float, float]
 APART = 0.25  # metres between things that lie on a rug or sit in a line
 LONGEST = 50.0  # metres of the longest thing that a room is furnished with
 ELBOWS = 0.6  # metres of a table's edge for who sits there
+SPARE = 0.03  # metres between seats that are wider
 
 SEATS, AT_A_LINE = ("stool", "chair"), ("front", "by", "with", "wall", "next", "around")
 """Last words of what sits before a counter, and relations that say so."""
@@ -102,7 +103,12 @@ class RoomWishes:
     @cached_property
     def kinds(self) -> Mapping[str, Category]:
         """All kinds of things, those of the user's own too, as they were first asked for: other words, other sizes."""
-        return {**self.lexicon.kinds, **{kind.name: kind for kind in reversed(self.asked.values())}}
+        shared = {name: self.lexicon.kinds[name] for name in self.room.base if self._shared(name)}
+        usual = {
+            name: replace(kind, size=self._seating(name, kind.size, self.reading.people))
+            for name, kind in shared.items()
+        }
+        return {**self.lexicon.kinds, **usual, **{kind.name: kind for kind in reversed(self.asked.values())}}
 
     @cached_property
     def asked(self) -> dict[NamedThing, Category]:
@@ -175,7 +181,8 @@ class RoomWishes:
         """
         said = [word for word in thing.noun.said.split() if word not in SIZE_WORDS]
         room, kind = self.room, thing.noun.kind
-        if len(said) != 1 or said[0] not in GENERAL or thing.noun.guessed or set(thing.adjectives) - SIZE_WORDS - LOOKS:
+        told = set(thing.adjectives) - SIZE_WORDS - LOOKS - {*grammar().sizes}
+        if len(said) != 1 or said[0] not in GENERAL or thing.noun.guessed or told:
             return kind
         (word,), links = said, self.reading.parsed.links
         at = [item for link in links if thing in named(link.subjects) for item in link.objects]
@@ -239,14 +246,35 @@ class RoomWishes:
                 width = round(max(width, each * (own[1] + APART)), 2)
         if thing.sizes or not thing.noun.kind.endswith("table"):
             return depth, width, height
-        seats = math.ceil(_seats(thing, links))
-        if seats and depth == width and "oval" not in thing.noun.said:
-            depth = width = max(depth, round(seats * ELBOWS / math.pi, 2))
-            if thing.noun.kind == "round table":
+        name = thing.noun.said if "oval" in thing.noun.said else thing.noun.kind
+        return self._seating(name, size, math.ceil(_seats(thing, links)) or self._everyone(thing))
+
+    def _everyone(self, thing: NamedThing) -> int:
+        """Return how many sit at the only table that is named: all who are in the room, or as many as have a chair."""
+        things = self.reading.parsed.things
+        heads = [head(one.noun.kind) for one in things]
+        if thing.count > 1 or heads.count("table") > 1 or {"desk", "counter", "island"} & {*heads}:
+            return 0
+        chairs = sum(one.count for one, last in zip(things, heads, strict=True) if last == "chair")
+        return (self.reading.people if self._shared(self.kind(thing)) else 0) or chairs
+
+    def _seating(self, name: str, size: Size, seats: int) -> Size:
+        """Return the size of a table with a place for so many: a larger one that is as deep as wide, else a longer one."""
+        depth, width, height = size
+        chairs = [self.lexicon.kinds[one].size[1] for one in self.room.person if head(one) == "chair"]
+        elbows = max([ELBOWS, *(chair + SPARE for chair in chairs)])
+        if seats and depth == width and "oval" not in name:
+            depth = width = max(depth, round(seats * elbows / math.pi, 2))
+            if name == "round table":
                 return depth, width, height
-        while 2 * int(width / ELBOWS) + 2 * int(depth / ELBOWS) < seats:
-            width = round(width + ELBOWS / 2, 2)
+        while 2 * int(width / elbows) + 2 * min(int(depth / elbows), 1 if depth != width else seats) < seats:
+            width = round(width + elbows / 2, 2)
         return depth, width, height
+
+    def _shared(self, name: str) -> bool:
+        """Return whether all who are in the room sit at such a table: it has one, and seats but no desks of their own."""
+        own = {head(one) for one in self.room.person}
+        return name.endswith("table") and name in self.room.base and own == {"chair"} and not self.room.tables
 
 
 def read_wishes(text: str, own: Knowledge) -> RoomWishes:

@@ -22,7 +22,7 @@ from robolayout.planners._knowledge import load_knowledge
 from robolayout.planners._openings import with_openings
 from robolayout.planners._wishes import RoomWishes, head, read_wishes
 from robolayout.scene import FLAT_HEIGHT, Agent, Room, Scene, load_agent, scene_from_dict, variable_name
-from robolayout.words import RoomType, dressing, named
+from robolayout.words import Place, RoomType, dressing, named
 
 
 @dataclass(frozen=True)
@@ -42,7 +42,8 @@ class Sizes:
     before: float = 2.0
     """Metres between rows of desks, between other rows, beside and behind a block of rows, and before it."""
     walkway: float = 0.6
-    """Metres by which a room is longer and wider than the longest thing in it, where no size is given."""
+    seated: float = 1.2
+    """Metres by which a room is longer and wider than the longest thing in it, where no size is given; more at ends of tables."""
     low: float = 1.2  # metres of height up to which a row of things hides no window
 
 
@@ -196,7 +197,9 @@ def _room_size(wishes: RoomWishes, wished: Mapping[str, int], stretch: float) ->
     if wishes.reading.size is not None:
         return wishes.reading.size
     width, depth = wishes.room.size
-    longest = max((max(wishes.kinds[name].size[:2]) for name in wished if wishes.kinds[name].on_floor), default=0.0)
+    standing = [kind for name in wished if (kind := wishes.kinds[name]).on_floor]
+    sides = (max(kind.size[:2]) + SIZES.seated * kind.name.endswith("table") for kind in standing)
+    longest = max(sides, default=0.0)
     given = wishes.reading.measure("area")
     usual = width * depth * wishes.reading.scale
     share = SIZES.aisled if any(link.rows for link in wishes.reading.parsed.links) else SIZES.roomy
@@ -220,7 +223,8 @@ def _blocks(wishes: RoomWishes) -> Iterator[tuple[float, float]]:
     links = wishes.reading.parsed.links
     for link in links:
         line = [mention for mention in link.subjects if mention.thing.category.on_floor]
-        if link.relation in ("row", "abreast") and line:
+        at_one_wall = link.relation == "wall" and any(isinstance(to, Place) and to.at_one_wall for to in link.objects)
+        if (link.relation in ("row", "abreast") or at_one_wall) and line:
             sizes = [(one.count, *wishes.kinds[wishes.kind(one.thing)].size) for one in line]
             wide = sum(count * width for count, _, width, _ in sizes) + SIZES.around
             tall = max(height for *_, height in sizes) > SIZES.low

@@ -23,6 +23,10 @@ WITHOUT_NOUN = re.compile(
 """Phrases that leave out their noun: what picks, how many, whether "one" stands for the noun, an adjective."""
 
 
+SOME = -1
+"""Rows of which no number is said."""
+
+
 @dataclass(frozen=True)
 class Chunk:
     """A phrase."""
@@ -39,7 +43,8 @@ class Chunk:
     bound: str = ""  # "least", "most", "more", or "" for exactly so many; "vague" for "some"
     plural: bool = False  # whether the noun stands in the plural
     adjectives: tuple[str, ...] = ()  # the words before the noun
-    rows: int = 0  # rows that it stands in ("three rows of four"), 0 if none are said
+    # rows that it stands in ("three rows of four"), `SOME` if they are not counted; less for so many in each group
+    rows: int = 0
     measure: Measure | None = None  # A measure of the room
     sizes: tuple[Measure, ...] = ()  # measures of the thing
     total: int | None = None  # of how many these are some: "two of the three stools"

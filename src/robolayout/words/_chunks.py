@@ -11,13 +11,10 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from robolayout.words import _function_words as small
-from robolayout.words._chunk import MARKS, Chunk, without_noun
+from robolayout.words._chunk import MARKS, SOME, Chunk, without_noun
 from robolayout.words._closed import HEAPS, ClosedWords
 from robolayout.words._lexicon import LONGEST, Noun
 from robolayout.words._tokens import VAGUE, count_of
-
-SOME = -1
-"""Rows of which no number is said."""
 
 PLACING = ("place", "put", "position", "install", "mount")
 """Verbs that tell where a thing goes."""
@@ -25,7 +22,21 @@ PLACING = ("place", "put", "position", "install", "mount")
 SIDES = {"left": "left", "right": "right", "foot": "foot", "head": "end"}
 """Relations to a thing by the side of it that is named."""
 
-NO_THINGS = ("total", "style", "kind", "row", "rows", "grid", "line", "lot", "nothing")
+NO_THINGS = (
+    "total",
+    "style",
+    "kind",
+    "row",
+    "rows",
+    "grid",
+    "line",
+    "lot",
+    "nothing",
+    "group",
+    "groups",
+    "cluster",
+    "clusters",
+)
 """Nouns that name no thing."""
 
 Before = tuple[str, int | None, str, int]
@@ -106,12 +117,12 @@ class Chunker(ClosedWords):
         return replace(chunk, sizes=sizes, adjectives=(*words, *adjectives))
 
     def _role(self, at: int) -> Chunk | None:
-        """Return what a thing is to serve as ("as an island"), or how many a table seats: neither is one more thing."""
+        """Return what a thing is to serve as ("as an island"), what a shop sells, or how many a table seats: no more things."""
         before, word, following = (["", *self.words, "", ""][at + i] for i in range(3))
         if word in ("seat", "seats", "seating") and count_of(following):
             return Chunk("people", at, at + 2, "people", number=count_of(following))
         role = word == "as" and following in ("a", "an", "the") and before not in ("well", "such", "same", "wall")
-        named = self._noun_phrase(at + 1) if role else None
+        named = self._noun_phrase(at + 1) if role or word in small.SELLING else None
         return Chunk("filler", at, named.end, word) if named else None
 
     def _fixed(self, at: int) -> Chunk | None:
@@ -226,16 +237,19 @@ class Chunker(ClosedWords):
     def _of(self, word: str, rest: list[str], number: int | None) -> tuple[str, int | None, str, int, int] | None:
         """Return the same of what ends in "of": "two rows of", "each one of", "a pair of"."""
         count = count_of(word)
+        each, grouped = count_of((*rest[2:], "")[0]), rest[0].removesuffix("s")
         if rest[0] in ("rows", "row", "columns", "column") and count:
-            each = count_of((*rest[2:], "")[0])
             rows = (each or SOME) if rest[0].startswith("column") else count
             return ("", count * each if each else None, "", rows, 4 if each else 3)
-        if count and rest[0].removesuffix("s") in small.SETS and (each := count_of((*rest[2:], "")[0])):
-            return ("", count * each, "", 0, 4)  # "six groups of four desks"
+        if count and each and grouped in (*small.SETS, *small.GROUPS):
+            return ("", count * each, "", -each * (grouped in small.GROUPS), 4)  # "six groups of four desks"
         if word in ("each", "every") and rest[0] in ("one", "of"):
             return ("each", None, "", 0, 3 if rest[0] == "one" else 2)
         if rest[0] != "of":
             return None
+        each = count_of((*rest[1:], "")[0])
+        if each and word.endswith("s") and word.removesuffix("s") in small.GROUPS:
+            return ("", 2 * each, "vague", -each, 3)  # "clusters of four desks"
         if word.removesuffix("s") in small.SETS and not (word == "wall" and rest[1:2] and rest[1] in small.DETERMINERS):
             twos = 2 * (number or 1) if word.startswith(("pair", "couple")) else None
             return ("", twos, "", SOME if word == "rows" and number is None else 0, 2)

@@ -306,9 +306,7 @@ class Demander(AtPlaces):
     def _diagonal(self, it: Asked) -> Iterator[Demand]:
         """Turned by an eighth or three eighths from a wall."""
         for a in it.subjects:
-            yield single(
-                *(stated("align_with", AssetRef(a), WallRef(0), angle) for angle in (45.0, 135.0, 225.0, 315.0))
-            )
+            yield single(*(stated("align_with", AssetRef(a), WallRef(0), angle) for angle in ways_of.ASKEW))
 
     def _mirrored(self, it: Asked) -> Iterator[Demand]:
         for a, b in zip(it.subjects[::2], it.subjects[1::2], strict=False):
@@ -361,6 +359,14 @@ class Demander(AtPlaces):
         yield from [self.told.block(it.subjects)] if alike(self.scene, it.subjects) else self._huddle(it)
 
     _columns = _rows
+
+    def _groups(self, it: Asked) -> Iterator[Demand]:
+        """Some here, some there: desks with their backs to each other, others near each other."""
+        for part in self.told.groups(it.subjects):
+            desks = self._is(part[0], ("desk",)) and alike(self.scene, part)
+            yield from [in_rows(part, min(2, len(part) // 2), "paired")] if desks else self._huddle(Asked(part))
+
+    _shares = _groups
 
     def _huddle(self, it: Asked) -> Iterator[Demand]:
         """Each near another one; what hangs on walls, on one of them."""

@@ -11,7 +11,7 @@ from dataclasses import replace
 from itertools import dropwhile, takewhile
 
 from robolayout.words import _function_words as small
-from robolayout.words._chunk import NOTHING, Chunk
+from robolayout.words._chunk import NOTHING, SOME, Chunk
 from robolayout.words._leftover import leftover
 from robolayout.words._lexicon import grammar
 from robolayout.words._relations import AIDS, Relating
@@ -176,13 +176,27 @@ class Parser(Relating):
             self.subject = self.group = self._several_meant(self.recent, self.targets)
         elif self.before and not self.group and not room:
             self.subject, self.group = list(self.before), list(self.before)
-        if self._ahead().kind == "with" and self.group and chunk.value in small.EVERY:
+        if not self._all_have(chunk) and chunk.value == "each" and self.group:
+            self._one_each(self.group[-1].thing)
+
+    def _all_have(self, chunk: Chunk) -> bool:
+        """Read what all of some things or people have: "each with a lamp"; "for two children, each with a bed"."""
+        people = self._people()
+        if chunk.value not in small.EVERY or not (self.group or people > 1):
+            return False
+        if self.group and self._ahead().kind == "with":
             self.at += 1
             det = "each" if chunk.value.startswith(("each", "every")) else "all"
             self.holder = [Mention(m.thing, None, det) for m in self.group]
             self._each_has(self.holder, sum(m.thing.count for m in self.group))
-        elif chunk.value == "each" and self.group:
-            self._one_each(self.group[-1].thing)
+            return True
+        does = self._ahead().kind == "with" or (self._ahead().value == "by" and self._ahead(1).kind == "thing")
+        if self.group or not does:
+            return False
+        self._understood(*[self._ahead()] * (self._ahead().kind == "rel"))  # "four people, each at a desk"
+        self.at += 1
+        self._each_has([], people)
+        return True
 
     def _one_each(self, thing: NamedThing) -> None:
         """What each of the things before has, or each of those for whom the room is: "two tables with four chairs each"."""
@@ -235,7 +249,9 @@ class Parser(Relating):
     def _note(self, chunk: Chunk, mention: Mention) -> None:
         """Note what a noun phrase itself says of how its thing stands."""
         if chunk.rows and mention.thing.count > 1:
-            self.said.links.append(Link("rows", (mention,), (), chunk.start, chunk.end, rows=max(chunk.rows, 0)))
+            order = "groups" if chunk.rows < SOME else "rows"
+            count = -chunk.rows if order == "groups" else max(chunk.rows, 0)
+            self.said.links.append(Link(order, (mention,), (), chunk.start, chunk.end, rows=count))
         noun = chunk.noun.said.split() if chunk.noun is not None else []
         for word in set(SAID_OF) & {*chunk.adjectives, *noun}:
             to = next(((Place(name),) for name in ("wall", "ceiling") if word.startswith(name)), ())

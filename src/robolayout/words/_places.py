@@ -11,6 +11,7 @@ from robolayout.constraints.corner import convex_corners
 from robolayout.scene import Asset, Opening, Room, Scene, Wall
 from robolayout.words import _ways as ways_of
 from robolayout.words._lexicon import grammar
+from robolayout.words._rows import alike, in_rows
 from robolayout.words._said import Place, sides
 from robolayout.words.demands import Demand, Way, single, stated
 
@@ -27,7 +28,7 @@ def walls_meant(room: Room, place: Place) -> list[Wall]:
     for one in place.apart:
         meant = list(room.walls)
         for word in one.words:
-            meant = _told(meant, grammar().walls.get(word, ""), room) or meant
+            meant = _told(meant, grammar().walls.get(word, word), room) or meant
         walls += [wall for wall in meant if wall not in walls]
     if place.by is None or place.by[1].name not in ("door", "window"):
         return walls
@@ -39,7 +40,9 @@ def walls_meant(room: Room, place: Place) -> list[Wall]:
 
 
 def _told(walls: list[Wall], word: str, room: Room) -> list[Wall]:
-    """Return the walls of which an adjective is true."""
+    """Return the walls of which an adjective is true, or that have an opening: "the window wall"."""
+    if word in ("window", "door"):
+        return [wall for wall in walls if wall.index in {opening.wall for opening in openings(room, word)}]
     if word in ("long", "short"):
         wanted = (max if word == "long" else min)(wall.length for wall in room.walls)
         return [wall for wall in walls if abs(wall.length - wanted) <= SAME]
@@ -176,6 +179,11 @@ class AtPlaces:
             hung = all(self._asset(a).on_wall for a in subjects)
             told = walls_meant(self.room, place) if place.name == "wall" else []
             few = len(told) if place.det in ("each", "both") or (hung and place.det == "all") else place.number or 0
+            if place.at_one_wall and len(subjects) > 1 and len(told) > 1:
+                at = [[stated(self._held(a, on), AssetRef(a), WallRef(w.index)) for a in subjects] for w in told]
+                yield Demand(tuple(map(tuple, at)))  # "mirrors on the long wall": all at the same of them
+                yield from [in_rows(subjects, 1)] if len(subjects) > 2 and alike(self.scene, subjects) else []
+                return
             if 1 < few <= min(len(subjects), len(told)):  # "shelves on both long walls": each of them has some
                 some = subjects[:: len(subjects) // few][:few]
                 sets = [zip(some, walls, strict=True) for walls in combinations(told, few)]

@@ -14,7 +14,7 @@ from robolayout.words._about import About
 from robolayout.words._chunk import NOTHING, Chunk
 from robolayout.words._said import Item, Link, Mention, Place, mentions, named, place_in, place_of
 from robolayout.words._tokens import Measure
-from robolayout.words._ways import SEATS, TOPS
+from robolayout.words._ways import MIDDLE_AISLE, SEATS, TOPS
 
 REVERSED = {"flanked": "flank", "surrounded": "around", "holds": "on", "separated": "amid"}
 """Relations that are said from the other side."""
@@ -137,7 +137,7 @@ class Relating(About):
         if chunk.value == "open" and self.verb and self.subject:  # "the table stands free in the middle"
             chunk = replace(chunk, value="middle")
         aided = chunk.value == "in" and self._in_an_aid()
-        if aided or self._of_the_room(chunk) or self._of_a_place(chunk, self.at - 2):
+        if aided or self._of_the_room(chunk) or self._of_a_place(chunk, self.at - 2) or self._along_an_aisle(chunk):
             return
         if self._of_people() or self._of_what_is_unknown():
             self._objects(chunk)
@@ -165,6 +165,17 @@ class Relating(About):
         self._keep(chunk.value, objects, pronoun=its or self._ahead(-1).kind == "pron", fronted=not subjects)
         if not self._in_turn(chunk, objects):
             self._relate_to(chunk, subjects, objects, first, every=every)
+
+    def _along_an_aisle(self, chunk: Chunk) -> bool:
+        """Note two columns of benches: "five pews on each side of an aisle" are ten."""
+        benches = [mention.thing for mention in self.group[-1:] if mention.thing.head in ("pew", "bench")]
+        if chunk.value != "flank" or self._ahead().value != "aisle" or not benches:
+            return False
+        if {"each", "either"} & {*chunk.adjectives}:
+            benches[0].number = 2 * benches[0].count
+        width = (MIDDLE_AISLE, math.inf)
+        self.said.links.append(Link("columns", tuple(self.group[-1:]), (), chunk.start, chunk.end, width, rows=2))
+        return True
 
     def _of_a_place(self, chunk: Chunk, first: int) -> bool:
         """Note what is at a place of which that is said: "a window above the sink", "the walls are lined with bookshelves"."""
@@ -298,6 +309,8 @@ class Relating(About):
         elif subjects:
             objects = self._across_the_room(objects)
             there = self._walls(subjects, place) if (place := place_in(objects[:1])) else []
+            alone = place is not None and "same" in place.words and not there and not any(m.several for m in subjects)
+            subjects = self.recent[-2:] if alone and len(subjects) == 1 else subjects  # "a wardrobe and a dresser"
             self._link(replace(chunk, value="atwalls") if there else chunk, subjects, [*objects, *there])
             self.acted = subjects
             self.verb = False

@@ -54,9 +54,15 @@ class ToldRows:
             for name in about
         }
         told = [link for link in links if link[0].relation in ("row", "rows", "columns") and alike(scene, link[1])]
+        # how many of each stand together, apart from the others
+        shared = ((named, len(named) / max(link.rows, 1)) for link, named, _ in links if link.relation == "shares")
+        each = [(named, link.rows) for link, named, _ in links if link.relation == "groups"]
+        each += [(named, math.ceil(share)) for named, share in shared]
+        self.each = {name: count for named, count in each for name in named}
         abreast = (named for link, named, _ in links if link.relation == "abreast" and alike(scene, named))
         # of those that are side by side, the one that tells how the others are turned
         self.middle = {name: named[len(named) // 2] for named in abreast for name in named}
+        self.gap = {name: link.metres[0] for link, named, _ in told for name in named}
         self.count = {name: lines(scene, link, named) for link, named, _ in told for name in named}
         self.abreast = {name: math.ceil(len(named) / (self.count[name] or 1)) for _, named, _ in told for name in named}
 
@@ -64,17 +70,24 @@ class ToldRows:
         """Return whether all of some things stand in straight rows."""
         return {*names} <= {*self.abreast}
 
+    def groups(self, names: Sequence[str]) -> list[Sequence[str]]:
+        """Return things as the groups in which they stand."""
+        count = max(self.each[names[0]], 1)
+        return [names[i : i + count] for i in range(0, len(names), count)]
+
     def block(self, names: Sequence[str]) -> Demand:
         """Return that such things stand in their rows."""
         turned, amid = self.turned.get(names[0], "alike"), names[0] in self.flanked
-        return in_rows(names, self.count.get(names[0]), turned, amid=amid)
+        return in_rows(names, self.count.get(names[0]), turned, amid=amid, gap=self.gap.get(names[0], 0.0))
 
 
-def in_rows(names: Sequence[str], rows: int | None, backs: str = "alike", *, amid: bool = False) -> Demand:
+def in_rows(
+    names: Sequence[str], rows: int | None, backs: str = "alike", *, amid: bool = False, gap: float = 0.0
+) -> Demand:
     """Return that things stand in a block of so many straight rows, any number for None; perhaps with something amid them."""
     items = tuple(AssetRef(name) for name in names)
     apart = AISLE if amid and rows != 1 else NEAR if backs == "facing" else BESIDE
-    return single(InRows(items, apart, 0.0, backs, rows))
+    return single(InRows(items, apart, gap, backs, rows))
 
 
 def on_a_wall(names: Sequence[str], room: Room) -> Iterator[Demand]:

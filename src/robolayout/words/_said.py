@@ -168,6 +168,12 @@ class Place:
         """Return it once for each of several that are named: "the north and west walls" are two."""
         return [replace(self, words=(*words.split(),)) for words in " ".join(self.words).split(" and ")]
 
+    @property
+    def at_one_wall(self) -> bool:
+        """Whether all of several things are at one wall, whichever it is: "one wall", "the long wall"."""
+        told = bool(self.words) and len(self.apart) == 1 and self.det in ("a", "the", "one") and not self.plural
+        return self.name == "wall" and (self.number == 1 or told)
+
 
 Item = Mention | Place
 """What a relation is about or leads to."""

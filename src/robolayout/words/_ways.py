@@ -15,6 +15,12 @@ TOUCHING, INTO, KNEES = 0.1, (0.5, 0.9), 0.5
 """Metres between the backs of desks at which people face each other, before a mirror into which somebody looks, and between seats
 that face each other."""
 
+ASKEW = (45.0, 135.0, 225.0, 315.0)
+"""Degrees by which a thing is turned from a wall that stands diagonally."""
+
+MIDDLE_AISLE = 1.2
+"""Metres between two columns of benches."""
+
 AISLE = 2.0
 """Metres between two rows between which something stands and can be got to."""
 

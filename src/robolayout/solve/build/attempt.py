@@ -51,7 +51,8 @@ class Costs:
     """Cost of a grid whose neighbours touch, and of each place that its last row leaves empty."""
     much: float = 10.0
     bearable: float = 16.0
-    """Cost of a place above which a cluster rather comes apart: if that is no worse, and whatever it is like."""
+    parting: float = 1.0
+    """Cost of a place above which a cluster rather comes apart: if that is not so much worse, and whatever it is like."""
     stray: float = 2.0
     """Cost of each thing that is left over from its grid; rows are worth more than each thing's own best place."""
     shuffle: float = 0.35  # standard deviation of the turns of kinds from one attempt to the next, in places
@@ -98,14 +99,15 @@ class _Step:
 class BuildPass:
     """One pass over all assets; what is to be placed `first` missed what is said of it in a pass before."""
 
-    def __init__(self, site: Site, rng: np.random.Generator, *, calm: bool, first: Collection[str] = ()) -> None:
+    def __init__(self, site: Site, seed: int, number: int, first: Collection[str]) -> None:
         self.base = site.copy()
         self.first = first
         self.missed = set[str]()  # what stands where it misses what is said of it
         self.site = site
-        self.rng = rng
-        self.calm = calm
-        self.noise = 0.0 if calm else COSTS.noise
+        self.rng = np.random.default_rng((seed, number))
+        self.together = number == 0  # whether clusters stay whole where their parts would stand worse
+        self.calm = seed == number == 0  # whether it follows the wishes to the letter
+        self.noise = 0.0 if self.calm else COSTS.noise
         self.steps: list[_Step] = []
         self.lost: list[str] = self.site.unreached() if self.site.spots else []
         self.trials = COSTS.trials
@@ -279,7 +281,8 @@ class BuildPass:
             self.lost = before
             return False
         dear = cost > COSTS.much and limit is None
-        if dear and len(cluster.members) > 1 and self._better_split(cluster, modes, weights, cost):
+        kept = cost if self.together and len(self.lost) <= len(before) else math.inf
+        if dear and len(cluster.members) > 1 and self._better_split(cluster, modes, weights, kept):
             return True
         if dear and "middle" not in modes:
             self.lost = before
@@ -335,7 +338,7 @@ class BuildPass:
         site, done, lost, missed = self.site.copy(), len(self.steps), self.lost, set(self.missed)
         if not self._split(cluster, modes, weights):
             return False
-        if cost > COSTS.bearable or sum(step.cost for step in self.steps[done:]) <= cost:
+        if cost > COSTS.bearable or sum(step.cost for step in self.steps[done:]) <= cost + COSTS.parting:
             return True
         self.site, self.lost, self.missed = site, lost, missed
         del self.steps[done:]

@@ -67,9 +67,7 @@ def _furnish(empty: Site, given: Mapping[str, Pose], seed: int, most: int) -> Si
     for number in range(most):
         site = empty.copy()
         _keep(site, given)
-        attempt = BuildPass(
-            site, np.random.default_rng((seed, number)), calm=number == 0 and seed == 0, first=frozenset(missed)
-        )
+        attempt = BuildPass(site, seed, number, frozenset(missed))
         cost = attempt.furnish_floor()
         missed |= attempt.missed
         if best is None or cost < best[0]:

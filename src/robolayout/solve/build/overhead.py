@@ -38,6 +38,7 @@ class Hanging:
     """Cost of hanging where another thing already is; more than of all that a body may miss together."""
     out_of_reach: float = 10.0
     """Cost of hanging what is used higher than the shortest arm gets, or where a door or drawer opens."""
+    between: float = 0.5  # metres between what stands before one hung thing and before the next
     apart: float = 0.01  # metres that a hung thing keeps from what stands or hangs beside it at the least
     crowded: float = 8.0  # cost of hanging where all of the floor that it is used from is taken
     juts_out: float = 12.0  # cost of hanging in the way of a body
@@ -200,11 +201,15 @@ def _used_room(site: Site, name: str, member: Member) -> float:
 
 
 def _crowding(site: Site, name: str, member: Member) -> float:
-    """Return a cost for hanging close to others of its kind, so that pictures spread over the room."""
+    """Return a cost for hanging close to others of its kind, so that pictures spread, and each mirror has room for its chair."""
+    before = [site.size(want.name)[1] for want in site.wants.values() if want.standing and name in want.at]
+    same = [s.member for n, s in site.spots.items() if site.wants[n].kind == site.wants[name].kind and s.mode == "hang"]
+    away = [math.hypot(m.x - member.x, m.y - member.y) for m in same]
+    if before:
+        return HANGING.crowded * sum(max(0.0, max(before) + HANGING.between - far) for far in away)
     if any(weight > 0 for _, weight in site.wants[name].near):
         return 0.0
-    same = [s.member for n, s in site.spots.items() if site.wants[n].kind == site.wants[name].kind and s.mode == "hang"]
-    return sum(max(0.0, 2.0 - math.hypot(m.x - member.x, m.y - member.y)) for m in same)
+    return sum(max(0.0, 2.0 - far) for far in away)
 
 
 def _in_landing(site: Site, member: Member) -> bool:

@@ -205,12 +205,9 @@ def _pair(wants: dict[str, Want], said: Sequence[Statement]) -> None:
 def _top(want: Want, wants: Mapping[str, Want]) -> str | None:
     """Return on what a thing that stands on others is put where nothing says it: the largest top with the least on it."""
     load = Counter(other.anchor for other in wants.values())
-    tops = [
-        (load[name] / max(math.prod(other.asset.size[:2]), SMALLEST), name)
-        for name, other in wants.items()
-        if other.standing and not other.carried and LOWEST <= other.asset.size[2] <= HIGHEST
-    ]
-    return min(tops)[1] if tops else None
+    tops = {n: one.asset.size for n, one in wants.items() if one.standing and not one.carried}
+    high = [name for name, size in tops.items() if LOWEST <= size[2] <= HIGHEST]
+    return min(high, key=lambda name: (load[name] / max(math.prod(tops[name][:2]), SMALLEST), name), default=None)
 
 
 def late(wants: Mapping[str, Want]) -> set[str]:
@@ -305,7 +302,9 @@ class _Gathered:
         """Return the block that it belongs to: with rows as they are demanded, as far apart as is wished."""
         said = [one for one, _ in sorted(self._all(InRows), key=lambda one: one[1] is None)]
         turned = [one.backs for one in reversed(said) if one.backs != "alike"]
-        return replace(said[0], rows=said[-1].rows, backs=(*turned, "alike")[0]) if said else None
+        said = [one for one in said if one.items == said[-1].items]  # groups stand closer than all of them
+        gap = max((one.gap for one in said), default=0.0)
+        return replace(said[0], gap=gap, rows=said[-1].rows, backs=(*turned, "alike")[0]) if said else None
 
     def _all(self, kind: type[Kind]) -> Iterator[tuple[Kind, float | None]]:
         """Yield what is said with a relation, with its weight if it is a wish."""
