@@ -12,7 +12,7 @@ import numpy as np
 
 from robolayout.planners._wishes import RoomWishes, head
 from robolayout.scene import Agent
-from robolayout.words import mentions, place_in, visits
+from robolayout.words import mentions, named, place_in, visits
 
 COMFORT, AIRY = 0.26, 0.15
 """Shares of the floor up to which further things are added: usually, and in a room that is to be airy."""
@@ -157,7 +157,15 @@ class Added:
             there.discard("chair")  # those that are there are of the tables
         for other, each in self._companions(name).items():
             if other not in self.spared and head(other) not in there:
-                self.found[other] = self.found.get(other, 0) + count * self._at_open_sides(other, each)
+                most = 1 if head(other) == "chair" and self._worked_at(name) else each
+                self.found[other] = self.found.get(other, 0) + count * self._at_open_sides(other, most)
+
+    def _worked_at(self, name: str) -> bool:
+        """Return whether what belongs on desks is said to be on a thing, so that one sits there: "a computer on a table"."""
+        links = [link for link in self.wishes.reading.parsed.links if link.relation == "on"]
+        on = [m.thing for k in links if name in map(self.wishes.kind, named(k.objects)) for m in k.subjects]
+        roles = [role for thing in on if (role := self.wishes.role(self.wishes.kind(thing)))]
+        return any(role.joins and role.joins[0].of[0] == "desk" for role in roles)
 
     def _at_open_sides(self, name: str, most: int) -> int:
         """Return how many of a thing are added: one where it usually stands beside what is asked into a corner."""

@@ -22,7 +22,7 @@ from robolayout.planners._knowledge import load_knowledge
 from robolayout.planners._openings import with_openings
 from robolayout.planners._wishes import RoomWishes, head, read_wishes
 from robolayout.scene import FLAT_HEIGHT, Agent, Room, Scene, load_agent, scene_from_dict, variable_name
-from robolayout.words import Place, RoomType, dressing, named
+from robolayout.words import Place, RoomType, dressing, named, visits
 
 
 @dataclass(frozen=True)
@@ -184,7 +184,8 @@ def _people(wishes: RoomWishes, wished: dict[str, int]) -> int:
         taken = {"desk"}  # who sits at the table also has a desk
     tables = [(wishes.kinds[name], n) for name, n in wished.items() if room.tables and head(name) == "table"]
     seats = sum(count * (2 if max(kind.size[:2]) <= SIZES.for_two else 4) for kind, count in tables)
-    return max((count for name, count in wished.items() if head(name) in taken), default=seats or _usual_people(wishes))
+    own = [count for name, count in wished.items() if head(name) in taken and not visits(name)]
+    return max(own, default=seats or _usual_people(wishes))
 
 
 def _chair(room: RoomType) -> str:

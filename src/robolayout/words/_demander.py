@@ -249,9 +249,9 @@ class Demander(AtPlaces):
 
     def _ways(self, relation: str, a: str, b: str) -> ways_of.Ways:
         """Return what a relation asks for; before a desk behind which somebody sits is the other side of it, where one looks at it."""
-        if relation == "end" and self._only_wall(a):
+        if relation in ("end", "foot") and self._only_wall(a):  # "a screen on the wall at one end of the table"
             depth, width, _ = self._asset(b).size
-            return ways_of.END_WALLS[width >= depth]  # "a screen on the wall at one end of the table"
+            return ways_of.END_WALLS[relation == "end" and width >= depth][: 1 if relation == "foot" else 2]
         watching = self._is(a, ways_of.SEATS) and self._is(b, ways_of.WATCHED) and a not in self.askew
         if relation == "front" and watching:
             return ways_of.BEFORE_WATCHED

@@ -82,7 +82,8 @@ def halves_meant(room: Room, place: Place) -> Iterator[tuple[PointRef, ...]]:
         halves["far"] = halves[("left", "right")[nx > 0] if abs(nx) > abs(ny) else ("front", "back")[ny > 0]]
     ends = ("left", "right") if x1 - x0 >= y1 - y0 else ("front", "back")
     told = (ends[place.det == "other"],) if place.det in ("one", "other") or place.number == 1 else ()
-    for word in place.words or told:
+    end = ("far",) if "end" in place.words else ()  # "a nurse's desk at the end"
+    for word in [word for word in place.words if word != "end"] or told or end:
         if word in halves:
             yield rectangle(*halves[word])
 

@@ -162,6 +162,9 @@ class Relating(About):
         whose = "them" if "their" in chunk.adjectives else "it"
         it = self._led_back(chunk.value) if of_it else self._meant(whose, chunk.value)
         objects = list[Item](it) if its else self._objects(chunk)
+        if chunk.value == "amid" and self._ahead(-1).value == "them":
+            facing = self._between_the_last()  # "two armchairs opposite the sofa with a table between them"
+            objects = facing if facing and all(one.sat_on for one in mentions(facing)) else objects
         self._keep(chunk.value, objects, pronoun=its or self._ahead(-1).kind == "pron", fronted=not subjects)
         if not self._in_turn(chunk, objects):
             self._relate_to(chunk, subjects, objects, first, every=every)

@@ -185,7 +185,8 @@ def _seen_first(wants: dict[str, Want]) -> dict[str, Want]:
     for want in wants.values():
         for name in want.minds:
             if name in wants and wants[name].hung:
-                turns[name] = min(turns[name], want.turn - 0.5)
+                block = want.rows.asset_names() if want.in_told_rows and want.rows else (want.name,)
+                turns[name] = min(turns[name], min(wants[one].turn for one in block) - 0.5)
     return dict(sorted(wants.items(), key=lambda item: turns[item[0]]))
 
 
@@ -238,8 +239,7 @@ def _kind(asset: Asset, said: Sequence[Statement]) -> str:
 
 def _plain(relation: Relation) -> str:
     """Return the numbers and words of a relation."""
-    values = (getattr(relation, spec.name) for spec in relation.arguments())
-    return " ".join(str(value) for value in values if isinstance(value, int | float | str))
+    return " ".join(str(v) for v in vars(relation).values() if isinstance(v, int | float | str))
 
 
 def _acyclic(wants: dict[str, Want]) -> dict[str, Want]:
@@ -301,7 +301,8 @@ class _Gathered:
     def _rows(self) -> InRows | None:
         """Return the block that it belongs to: with rows as they are demanded, as far apart as is wished."""
         said = [one for one, _ in sorted(self._all(InRows), key=lambda one: one[1] is None)]
-        turned = [one.backs for one in reversed(said) if one.backs != "alike"]
+        looks = self._face(None) or any(w is None and isinstance(one.b, AssetRef) for one, w in self._all(AlignWith))
+        turned = [one.backs for one in reversed(said) if one.backs != "alike" and not looks]  # all of them one way
         said = [one for one in said if one.items == said[-1].items]  # groups stand closer than all of them
         gap = max((one.gap for one in said), default=0.0)
         return replace(said[0], gap=gap, rows=said[-1].rows, backs=(*turned, "alike")[0]) if said else None
