@@ -56,7 +56,7 @@ class Added:
         self.spared |= self._unseen() | self._crowded_out()
         self.named = self.spared | self.wished.keys()
         said = wishes.reading.parsed.links
-        corners = (link for link in said if link.relation == "corner" or place_in(link.objects[:1], "corner"))
+        corners = (k for k in said if k.relation in ("corner", "cleared") or place_in(k.objects[:1], "corner"))
         roles = (wishes.role(wishes.kind(mention.thing)) for link in corners for mention in link.subjects)
         self.cornered = {role.name for role in roles if role is not None}
         self.ceiling = (wishes.reading.measure("height") or (math.inf,))[0]

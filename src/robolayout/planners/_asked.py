@@ -10,6 +10,7 @@ from robolayout.constraints.against_wall import AgainstWall
 from robolayout.constraints.any_of import AnyOf
 from robolayout.constraints.in_front_of import InFrontOf
 from robolayout.constraints.in_rows import InRows
+from robolayout.constraints.keep_clear import KeepClear
 from robolayout.constraints.near import Near
 from robolayout.constraints.next_to import NextTo
 from robolayout.planners._knowledge import ON_ANY, Join, usual_say
@@ -104,14 +105,18 @@ def join_as_asked(cast: Mapping[str, Cast], demands: Sequence[Demand], passage: 
     return found
 
 
-PLACELESS = ("point_towards", "align_with", "under", "above")
+PLACELESS = ("point_towards", "align_with", "under", "above", "keep_clear")
 """Relations that say nothing of where their thing stands on the floor: looking at something, or as something, moves nothing."""
 
 
 def said(demands: Iterable[Demand], *, placing: bool = False) -> list[Relation]:
     """Return the statements of the first ways of some demands, all or those that put something on the floor."""
-    found = (relation for demand in demands for relation in demand.ways[0])
-    return [relation for relation in found if not (placing and relation.name in PLACELESS)]
+    firsts = [demand.ways[0] for demand in demands]
+    if placing:  # how something is turned, and how far off a wall it is then, moves nothing, either
+        firsts = [
+            way for way in firsts if not any(one.name == "align_with" and len(one.asset_names()) == 1 for one in way)
+        ]
+    return [relation for way in firsts for relation in way if not (placing and relation.name in PLACELESS)]
 
 
 def subjects(demands: Iterable[Demand]) -> set[str]:
@@ -124,6 +129,12 @@ def looked_at(demands: Iterable[Demand]) -> dict[str, str]:
     """Return what is asked to look at another thing, with that."""
     pairs = (one.asset_names() for one in said(demands) if one.name == "point_towards")
     return {pair[0]: pair[1] for pair in pairs if len(pair) == 2}
+
+
+def open_beside(demands: Iterable[Demand]) -> dict[str, str]:
+    """Return what is asked to keep its left or its right clear, with the other side: what goes beside it stands there."""
+    clear = [one for one in said(demands) if isinstance(one, KeepClear) and one.side in ("left", "right")]
+    return {one.a.name: "left" if one.side == "right" else "right" for one in clear}
 
 
 def hung_over(scene: Scene, demands: Iterable[Demand]) -> dict[str, str]:

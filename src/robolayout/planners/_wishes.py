@@ -57,6 +57,7 @@ APART = 0.25  # metres between things that lie on a rug or sit in a line
 LONGEST = 50.0  # metres of the longest thing that a room is furnished with
 ELBOWS = 0.6  # metres of a table's edge for who sits there
 SPARE = 0.03  # metres between seats that are wider
+FOR_TWO = 0.8  # metres of a table for two
 
 SEATS, AT_A_LINE = ("stool", "chair"), ("front", "by", "with", "wall", "next", "around")
 """Last words of what sits before a counter, and relations that say so."""
@@ -261,6 +262,8 @@ class RoomWishes:
     def _seating(self, name: str, size: Size, seats: int) -> Size:
         """Return the size of a table with a place for so many: a larger one that is as deep as wide, else a longer one."""
         depth, width, height = size
+        if 0 < seats <= 2 and name == "dining table" and depth != width:
+            return depth, min(width, FOR_TWO), height
         chairs = [self.lexicon.kinds[one].size[1] for one in self.room.person if head(one) == "chair"]
         elbows = max([ELBOWS, *(chair + SPARE for chair in chairs)])
         if seats and depth == width and "oval" not in name:

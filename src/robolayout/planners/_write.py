@@ -49,6 +49,7 @@ class Writer:
     first: Set[str]  # those of them that are placed first, before their corner or the wall for all of a row is taken
     walled: Set[str]  # those of them whose wall the words leave to them
     looked: Mapping[str, str]  # what is asked to look at something, and that
+    beside: Mapping[str, str]  # what keeps one of its sides clear, and the other side
     # what the words hang something above on the wall, and what that is: nothing else hangs there
     below: Mapping[str, str]
 
@@ -101,7 +102,7 @@ class Writer:
         tucked = item.category.movable and join.slot in ("front", "behind")
         values = {
             "b": self._name(anchor.name),
-            "side": '"beside"',
+            "side": f'"{self.beside.get(anchor.name, "beside")}"',
             "gap": f"{join.gap:g}",
             "least": f"{-SAYING.under if tucked else max(0.0, join.gap - SAYING.within):g}",
             "most": f"{join.gap + SAYING.beyond + self._taken(item):.2f}",

@@ -15,6 +15,7 @@ from robolayout.planners._asked import (
     join_as_asked,
     looked_at,
     needing_room,
+    open_beside,
     subjects,
 )
 from robolayout.planners._knowledge import SLOTS, Knowledge, load_knowledge
@@ -74,7 +75,9 @@ class OfflinePlanner:
         about = set(request.group.items) if request.group else set(cast)
         words = request.asked
         first, walled = needing_room(cast, words), held_by_walls(words)
-        writer = Writer(scene, cast, subjects(words), first, walled, looked_at(words), hung_over(scene, words))
+        writer = Writer(
+            scene, cast, subjects(words), first, walled, looked_at(words), open_beside(words), hung_over(scene, words)
+        )
         names = {written: name for name, written in scene.expressions.items()}
         text = ["# Walls: " + "; ".join(_wall(wall, scene.room) for wall in scene.room.walls)]
         asked = asked_lines(scene, request.asked, about | known)

@@ -11,11 +11,15 @@ from robolayout.words import _function_words as small
 from robolayout.words._appositions import LISTED
 from robolayout.words._chunk import Chunk
 from robolayout.words._references import References
-from robolayout.words._said import Item, Mention, Place, mentions, named, place_in, place_of
+from robolayout.words._said import Item, Link, Mention, Place, mentions, named, place_in, place_of
+from robolayout.words._tokens import Measure
 from robolayout.words._ways import CROWD, OTHER_SIDE, SEATS, TOPS
 
 CORNERS, WALLS = ("near", "far"), ("facing", "behind", "by", "with")
 """Relations by which a door or window tells a corner or a wall from the others."""
+
+FREED = {"front": "front", "behind": "back", "left": "left", "right": "right"}
+"""Sides of a thing at which floor may be said to be free, by relation."""
 
 
 class About(References):
@@ -203,6 +207,32 @@ class About(References):
             return objects
         at = [place for k in last if k.start >= self.began and (place := place_in(k.objects[:1], "window", "door"))]
         return [replace(wall, words=(), by=("opposite", at[0])), *objects[1:]] if at else objects
+
+    def _free_space(self, chunk: Chunk, measure: Measure) -> bool:
+        """Note floor that is to stay free at a side of a thing: "1.5 m of free space on the left of the bed"."""
+        led = next((i for i in range(6) if self._ahead(i).kind not in ("filler", "function", "part", "style")), 6)
+        said = [self._ahead(i) for i in range(led)]
+        free = {word for one in said for word in (one.value, *one.adjectives)} & {*small.FREE, "space"}
+        side, last = FREED.get(self._ahead(led).value), self.said.links[-1:]
+        also = any(
+            link.relation == "cleared" and link.start >= self.began for link in last
+        )  # "and 1.2 m in front of it"
+        if (
+            measure.kind != "length"
+            or not (free or also)
+            or side is None
+            or self._ahead(led + 1).kind not in ("thing", "pron")
+        ):
+            return False
+        self._understood(*said)
+        start = self.at + led
+        self.at = start + 1
+        to = mentions(self._objects(self.chunks[start]))
+        gap = (measure.values[0], measure.values[0])
+        self.said.links.append(
+            Link("cleared", tuple(to), (Place("side", (side,)),), chunk.start, self.chunks[start].end, gap)
+        )
+        return True
 
     def _walls(self, subjects: list[Mention], place: Place) -> list[Mention]:
         """Return what stands at the wall by which another is told: "the same wall as the crib", "the opposite wall"."""

@@ -54,8 +54,7 @@ class Demander(AtPlaces):
         # of these only the first stands where they are put
         self.stacked = {thing for link in links if link.relation == "stacked" for thing in named(link.subjects)}
         asked = [(link, self._asked(link)) for link in links]
-        in_corners = (it.subjects for _, it in asked if it.place is not None and it.place.name == "corner")
-        self.cornered = frozenset(name for subjects in in_corners for name in subjects)
+        self.cornered = frozenset(a for _, it in asked if it.place and it.place.name == "corner" for a in it.subjects)
         self.askew = {name for link, it in asked if link.relation == "diagonal" for name in it.subjects}
         twos = [(link.relation, *two) for link, it in asked for two in it.twos]
         sat_on = {a for _, a, _ in twos if self._is(a, ways_of.SEATS)}
@@ -86,6 +85,8 @@ class Demander(AtPlaces):
             it = replace(it, subjects=[one.name for one in self.scene.assets if one.on_floor and not one.is_flat])
         if not it.subjects:
             return ()
+        if relation == "cleared":
+            return tuple(self._cleared(it.subjects, it.places[0].words[0], link.metres[0]))
         if relation in ("apart", "bare"):
             return tuple(self._apart(it, link.metres if any(link.metres) else ways_of.OFF_A_WALL))
         if relation in ways_of.ENDS and place_in(link.objects, "room"):

@@ -96,6 +96,8 @@ class Parser(Relating):
     def _on_measure(self, chunk: Chunk) -> None:
         """A measure of the thing before it, where it can be one ("a desk that is 1.6 m wide"); else of the room."""
         assert chunk.measure is not None
+        if self._free_space(chunk, chunk.measure):
+            return
         before = self.chunks[: self.at - 1]
         while before and (before[-1].kind in ("filler", "verb", "pron", "and", "measure") or before[-1].value == "("):
             before.pop()

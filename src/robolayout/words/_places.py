@@ -18,6 +18,9 @@ from robolayout.words.demands import Demand, Way, single, stated
 COMPASS = {"north": (0.0, -1.0), "south": (0.0, 1.0), "east": (-1.0, 0.0), "west": (1.0, 0.0)}
 """Inward normals of walls by name, as on a plan: north is up."""
 
+TURNS = {"front": 0.0, "left": math.pi / 2, "back": math.pi, "right": -math.pi / 2}
+"""Radians from a thing's front to its sides."""
+
 SAME = 0.05
 """Metres by which walls that count as equally long may differ."""
 
@@ -169,6 +172,9 @@ class AtPlaces:
         elif len(corners) == len(subjects) > 1:
             yield from (single(stated("corner", AssetRef(a), i)) for a, i in zip(subjects, corners, strict=True))
         else:
+            if on and place.name == "window" and len(subjects) > len(openings_meant(self.room, place)):
+                yield from (Demand(tuple(self._ways_along_windows(a, place))) for a in subjects)
+                return
             each = place.name in ("window", "door") and place.det in ("each", "both", "all")
             each = each and len(openings_meant(self.room, place)) == len(subjects)  # "curtains on both windows"
             walls = place.apart
@@ -218,6 +224,28 @@ class AtPlaces:
             yield (stated("distance_constraint", ref, PointRef(*centre(self.room)), None, round(most, 2)),)
         elif place.name == "side":
             yield from ((stated("zone", ref, half),) for half in halves_meant(self.room, place))
+
+    def _cleared(self, subjects: Sequence[str], side: str, metres: float) -> Iterator[Demand]:
+        """Yield that so much floor is free at a side of things: no thing stands there, and no wall."""
+        for a in (a for a in subjects if self._asset(a).on_floor):
+            turn, half = TURNS[side], self._asset(a).size[side in ("left", "right")] / 2
+            yield single(stated("keep_clear", AssetRef(a), side, metres))
+            ways: list[Way] = []
+            for wall in self.room.walls:
+                (nx, ny), c, s = wall.normal, math.cos(turn), math.sin(turn)
+                x, y = nx * c - ny * s, nx * s + ny * c
+                ahead = [one for one in self.room.walls if one.normal[0] * x + one.normal[1] * y < -math.sqrt(0.5)]
+                far = (stated("distance_constraint", AssetRef(a), WallRef(w.index), half + metres) for w in ahead)
+                ways.append((stated("align_with", AssetRef(a), WallRef(wall.index), 90.0), *far))
+            yield Demand(tuple(ways))
+
+    def _ways_along_windows(self, a: str, place: Place) -> Iterator[Way]:
+        """Yield the strips of floor along the walls in which the windows are, for what is too much to stand before them."""
+        for index in sorted({opening.wall for opening in openings_meant(self.room, place)}):
+            wall = self.room.walls[index]
+            inside = [wall.point(t, ways_of.ALONG) for t in (wall.length, 0.0)]
+            strip = tuple(_point(at) for at in (wall.point(0.0), wall.point(wall.length), *inside))
+            yield (stated("zone", AssetRef(a), strip),)
 
     def _ways_at_a_wall(self, a: str, place: Place, *, on: bool) -> Iterator[Way]:
         """Yield the ways in which a thing is at one of the walls that are meant and long enough, or in the middle of one."""

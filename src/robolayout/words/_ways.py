@@ -18,6 +18,9 @@ that face each other."""
 ASKEW = (45.0, 135.0, 225.0, 315.0)
 """Degrees by which a thing is turned from a wall that stands diagonally."""
 
+ALONG = 2.0
+"""Metres of the strip in which things are along windows before which not all of them have room."""
+
 MIDDLE_AISLE = 1.2
 """Metres between two columns of benches."""
 

@@ -254,6 +254,7 @@ class _RowMaker:
         about = ", ".join(as_row.shown(mention) for mention in link.subjects)
         to = " and ".join(as_row.shown(item) for item in link.objects)
         said = [about, words, to] if about not in words.lower() else [to, "with", words] if to else [words]
+        said = [words, about] if link.relation == "cleared" else said
         understanding = " ".join(said).strip()
         demands = self.demander.demands(link)
         if not demands and place_in(link.objects, "ceiling") and link.subjects:
