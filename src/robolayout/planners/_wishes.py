@@ -186,6 +186,8 @@ class RoomWishes:
         if len(said) != 1 or said[0] not in GENERAL or thing.noun.guessed or told:
             return kind
         (word,), links = said, self.reading.parsed.links
+        if word == "bed" and thing.times > 1:  # "two children, each with a bed"
+            return "single bed"
         at = [item for link in links if thing in named(link.subjects) for item in link.objects]
         elsewhere = any(isinstance(item, Place) or item.thing.noun.kind.endswith("table") for item in at)
         usual = () if word == "chair" and elsewhere else (*room.base, *room.extras)

@@ -215,11 +215,10 @@ class Demander(AtPlaces):
                 by.setdefault(b, []).append(a)
         for b, items in by.items():
             ways = [[("left", "right")[(i + first) % 2] for i in range(len(items))] for first in (0, 1)]
-            gap = ways_of.BESIDE if len(items) < 3 else ways_of.BESIDE * len(items)
-            if self._only_wall(b) and len(items) == 2 and not any(map(self._only_wall, items)):
-                one, two, high = (AssetRef(name) for name in (*items, b))  # plants on both sides of a painting
-                near = (stated("near", a, high, gap) for a in (one, two))
-                yield Demand(((*near, stated("between", high, one, two)),))
+            gap = ways_of.NEAR if self._is(items[0], ways_of.SEATS) else ways_of.BESIDE
+            gap = gap if len(items) < 3 else ways_of.BESIDE * len(items)
+            if len(items) == 2 and (amid := self._ways_amidst(b, items, gap)):
+                yield Demand(amid)
                 continue
             sided = ([*zip(items, way, strict=True)] for way in ways)
             yield Demand(tuple(tuple(stated("next_to", AssetRef(a), AssetRef(b), s, gap) for a, s in w) for w in sided))
@@ -267,7 +266,7 @@ class Demander(AtPlaces):
         return Demand(((near, stated("point_towards", AssetRef(a), AssetRef(b))) if turns else (near,),))
 
     def _opposite(self, it: Asked) -> Iterator[Demand]:
-        if it.place is not None and it.place.name == "room":
+        if it.place and it.place.name == "room":
             yield from self._at_place(it.subjects, Place("side", ("far",)))
         elif it.place is not None:
             yield from self._facing(replace(it, groups=()))

@@ -183,7 +183,8 @@ class Parser(Relating):
 
     def _all_have(self, chunk: Chunk) -> bool:
         """Read what all of some things or people have: "each with a lamp"; "for two children, each with a bed"."""
-        people = self._people()
+        groups = [c.number for c in self.chunks[max(self.at - 4, 0) : self.at - 1] if c.kind == "function" and c.number]
+        people = groups[-1] if groups else self._people()  # "two seating groups, each with a sofa"
         if chunk.value not in small.EVERY or not (self.group or people > 1):
             return False
         if self.group and self._ahead().kind == "with":
@@ -196,6 +197,7 @@ class Parser(Relating):
         if self.group or not does:
             return False
         self._understood(*[self._ahead()] * (self._ahead().kind == "rel"))  # "four people, each at a desk"
+        self.said.missed[:] = [c for c in self.said.missed if c.value.removesuffix("s") not in small.GROUPS]
         self.at += 1
         self._each_has([], people)
         return True

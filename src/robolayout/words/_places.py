@@ -49,6 +49,8 @@ def _told(walls: list[Wall], word: str, room: Room) -> list[Wall]:
     if word in ("long", "short"):
         wanted = (max if word == "long" else min)(wall.length for wall in room.walls)
         return [wall for wall in walls if abs(wall.length - wanted) <= SAME]
+    if word == "side":
+        return [wall for wall in walls if abs(wall.normal[0]) > math.sqrt(0.5)]
     if word in COMPASS:
         nx, ny = COMPASS[word]
         return [wall for wall in walls if wall.normal[0] * nx + wall.normal[1] * ny > math.sqrt(0.5)]
@@ -281,6 +283,18 @@ class AtPlaces:
                         stated("zone", ref, half),
                     )
                 )
+
+    def _ways_amidst(self, b: str, items: Sequence[str], gap: float) -> tuple[Way, ...]:
+        """Return the ways in which something is between two that are deeper, at their wall, or hangs between two that stand."""
+        shallow = self._asset(b).size[0] < min(self._asset(a).size[0] for a in items) / 2 and self._asset(b).on_floor
+        if any(map(self._only_wall, items)) or not (shallow or self._only_wall(b)):
+            return ()
+        one, two, amid = (AssetRef(name) for name in (*items, b))
+        said = (stated("near", one, amid, gap), stated("near", two, amid, gap), stated("between", amid, one, two))
+        if not shallow:
+            return (said,)  # plants on both sides of a painting
+        walls = (WallRef(wall.index) for wall in self.room.walls)  # armchairs on both sides of a fireplace
+        return tuple((*(stated("against_wall", a, w) for a in (amid, one, two)), *said) for w in walls)
 
     def _ways_amid(self, a: str, places: Sequence[Place]) -> Iterator[Way]:
         """Yield the ways in which a thing is between two doors or windows: at their wall, where some are in one wall."""

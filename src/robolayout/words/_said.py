@@ -22,7 +22,7 @@ LONG = 3
 SEATED = 6
 """Seats of each of more rows than that of which no number is said."""
 
-IN_PAIRS = frozenset(("curtain", "blinds", "parallel bar"))
+IN_PAIRS = frozenset(("curtain", "blinds", "parallel bar", "drum set"))
 """What is one thing in the plural."""
 
 
