@@ -12,7 +12,7 @@ import numpy as np
 
 from robolayout.planners._wishes import RoomWishes, head
 from robolayout.scene import Agent
-from robolayout.words import mentions, named, place_in, visits
+from robolayout.words import Link, mentions, named, place_in, visits
 
 COMFORT, AIRY = 0.26, 0.15
 """Shares of the floor up to which further things are added: usually, and in a room that is to be airy."""
@@ -28,6 +28,8 @@ SPARE = 0.02  # metres between the top of a thing and the ceiling
 BROAD = 0.6  # metres of width from which on what flanks a thing takes the place of what usually stands there
 ALONE_ON_A_RUG = ("table", "kids table", "bed", "narrow bed", "child bed")
 """Roles of what has a rug below it where it is the only one."""
+
+ON_A_RUG = 4  # seats of one kind that may stand around one rug
 
 SEATS = {"bench", "stool", "pew", "floor cushion"}  # what people sit on at tables in place of chairs
 
@@ -56,9 +58,9 @@ class Added:
         self.spared |= self._unseen() | self._crowded_out()
         self.named = self.spared | self.wished.keys()
         said = wishes.reading.parsed.links
-        corners = (k for k in said if k.relation in ("corner", "cleared") or place_in(k.objects[:1], "corner"))
-        roles = (wishes.role(wishes.kind(mention.thing)) for link in corners for mention in link.subjects)
-        self.cornered = {role.name for role in roles if role is not None}
+        corners = [k for k in said if k.relation in ("corner", "cleared") or place_in(k.objects[:1], "corner")]
+        self.cornered = self._roles_of(corners)
+        self.bared = self._roles_of([link for link in corners if link.relation == "cleared" and link.objects[1:]])
         self.ceiling = (wishes.reading.measure("height") or (math.inf,))[0]
         self.found: dict[str, int] = {}
 
@@ -124,7 +126,7 @@ class Added:
             if (bearer := self.wishes.role(other)) is not None:
                 counts[bearer.name] += count
         over = next((kind for kind in role.above if counts[kind]), "") if role and role.stands == ("rug",) else ""
-        return over in ALONE_ON_A_RUG and counts[over] > 1
+        return counts[over] > (1 if over in ALONE_ON_A_RUG else ON_A_RUG)
 
     def _room_on_tops(self, group: Mapping[str, int]) -> bool:
         """Whether tops have room for everything that is added and can stand on some."""
@@ -168,9 +170,16 @@ class Added:
         return any(role.joins and role.joins[0].of[0] == "desk" for role in roles)
 
     def _at_open_sides(self, name: str, most: int) -> int:
-        """Return how many of a thing are added: one where it usually stands beside what is asked into a corner."""
+        """Return how many of a thing are added: one where it usually stands beside what is asked into a corner, none beside free floor."""
         role = self.wishes.role(name)
-        return 1 if role is not None and any(map(role.stands_beside, self.cornered)) else most
+        if role is None or not any(map(role.stands_beside, self.cornered)):
+            return most
+        return int(not any(map(role.stands_beside, self.bared)))
+
+    def _roles_of(self, links: Sequence[Link]) -> set[str]:
+        """Return the roles of what some relations are about."""
+        roles = (self.wishes.role(self.wishes.kind(mention.thing)) for link in links for mention in link.subjects)
+        return {role.name for role in roles if role is not None}
 
     def _of_another(self, name: str, owner: str) -> bool:
         """Return whether a thing is said to be around, or with, other things than its owner alone: the chairs of a table."""

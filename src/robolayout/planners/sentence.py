@@ -238,7 +238,8 @@ def _blocks(wishes: RoomWishes) -> Iterator[tuple[float, float]]:
             aisle = SIZES.between if kind.endswith(("desk", "table")) else SIZES.aisle * (height >= FLAT_HEIGHT)
             ahead = link.rows * (depth + aisle) + SIZES.around + SIZES.before
             watching = any(k.relation == "facing" and thing in named(k.subjects) for k in links)
-            yield (ahead if watching else each * width + 2 * SIZES.around), ahead  # what they watch may be at any wall
+            yield each * width + 2 * SIZES.around, ahead
+            yield ahead * watching, ahead  # what they watch may be at any wall
 
 
 def _possible(wishes: RoomWishes, wished: Mapping[str, int], size: tuple[float, float]) -> None:

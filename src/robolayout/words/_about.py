@@ -18,7 +18,7 @@ from robolayout.words._ways import CROWD, OTHER_SIDE, SEATS, TOPS
 CORNERS, WALLS = ("near", "far"), ("facing", "behind", "by", "with")
 """Relations by which a door or window tells a corner or a wall from the others."""
 
-FREED = {"front": "front", "behind": "back", "left": "left", "right": "right"}
+FREED = {"front": ("front",), "behind": ("back",), "left": ("left",), "right": ("right",), "flank": ("left", "right")}
 """Sides of a thing at which floor may be said to be free, by relation."""
 
 
@@ -210,28 +210,20 @@ class About(References):
 
     def _free_space(self, chunk: Chunk, measure: Measure) -> bool:
         """Note floor that is to stay free at a side of a thing: "1.5 m of free space on the left of the bed"."""
-        led = next((i for i in range(6) if self._ahead(i).kind not in ("filler", "function", "part", "style")), 6)
-        said = [self._ahead(i) for i in range(led)]
-        free = {word for one in said for word in (one.value, *one.adjectives)} & {*small.FREE, "space"}
-        side, last = FREED.get(self._ahead(led).value), self.said.links[-1:]
-        also = any(
-            link.relation == "cleared" and link.start >= self.began for link in last
+        ahead = list(takewhile(lambda c: c.kind in ("filler", "function", "part", "style"), self.chunks[self.at :]))
+        led, to = self._ahead(len(ahead)), self._ahead(len(ahead) + 1)
+        last = self.said.links[-1] if self.said.links else None
+        also = (
+            last is not None and last.relation == "cleared" and last.start >= self.began
         )  # "and 1.2 m in front of it"
-        if (
-            measure.kind != "length"
-            or not (free or also)
-            or side is None
-            or self._ahead(led + 1).kind not in ("thing", "pron")
-        ):
+        free = also or {word for c in ahead for word in (c.value, *c.adjectives)} & {*small.FREE, "space"}
+        if measure.kind != "length" or not free or led.value not in FREED or to.kind not in ("thing", "pron"):
             return False
-        self._understood(*said)
-        start = self.at + led
-        self.at = start + 1
-        to = mentions(self._objects(self.chunks[start]))
+        self._understood(*ahead)
+        self.at += len(ahead) + 1
+        about, sides = mentions(self._objects(led)), [Place("side", (side,)) for side in FREED[led.value]]
         gap = (measure.values[0], measure.values[0])
-        self.said.links.append(
-            Link("cleared", tuple(to), (Place("side", (side,)),), chunk.start, self.chunks[start].end, gap)
-        )
+        self.said.links.append(Link("cleared", tuple(about), tuple(sides), chunk.start, led.end, gap))
         return True
 
     def _walls(self, subjects: list[Mention], place: Place) -> list[Mention]:

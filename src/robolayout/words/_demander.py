@@ -62,9 +62,8 @@ class Demander(AtPlaces):
         on_floor = [(how, a, b) for how, a, b in twos if self._asset(a).on_floor]
         backed = {b for how, a, b in on_floor if how == "flank" or (how == "behind" and a not in sat_on)}
         self.surrounded = frozenset(backed.union(name for name, count in seats.items() if count > 2))
-        hosted = any(
-            self._is(asset.name, ways_of.SEATS) and not ways_of.visits(asset.category) for asset in scene.assets
-        )
+        seated = (one for one in scene.assets if self._is(one.name, ways_of.SEATS))
+        hosted = any(not ways_of.visits(one.category) for one in seated)
         # desks with a seat behind them
         self.manned = {
             b
@@ -86,7 +85,7 @@ class Demander(AtPlaces):
         if not it.subjects:
             return ()
         if relation == "cleared":
-            return tuple(self._cleared(it.subjects, it.places[0].words[0], link.metres[0]))
+            return tuple(one for at in it.places for one in self._cleared(it.subjects, at.words[0], link.metres[0]))
         if relation in ("apart", "bare"):
             return tuple(self._apart(it, link.metres if any(link.metres) else ways_of.OFF_A_WALL))
         if relation in ways_of.ENDS and place_in(link.objects, "room"):
@@ -252,6 +251,8 @@ class Demander(AtPlaces):
         if relation in ("end", "foot") and self._only_wall(a):  # "a screen on the wall at one end of the table"
             depth, width, _ = self._asset(b).size
             return ways_of.END_WALLS[relation == "end" and width >= depth][: 1 if relation == "foot" else 2]
+        if relation == "end" and not self._is(b, ("table", *ways_of.SLEPT_ON)):
+            return ways_of.TO_ANOTHER["end"][1:]  # "a fridge at the end of the counter"
         watching = self._is(a, ways_of.SEATS) and self._is(b, ways_of.WATCHED) and a not in self.askew
         if relation == "front" and watching:
             return ways_of.BEFORE_WATCHED

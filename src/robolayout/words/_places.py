@@ -174,8 +174,8 @@ class AtPlaces:
         elif len(corners) == len(subjects) > 1:
             yield from (single(stated("corner", AssetRef(a), i)) for a, i in zip(subjects, corners, strict=True))
         else:
-            if on and place.name == "window" and len(subjects) > len(openings_meant(self.room, place)):
-                yield from (Demand(tuple(self._ways_along_windows(a, place))) for a in subjects)
+            if (on or under) and place.name == "window" and len(subjects) > len(openings_meant(self.room, place)):
+                yield from (Demand(tuple(self._ways_along_windows(a, place, under=under))) for a in subjects)
                 return
             each = place.name in ("window", "door") and place.det in ("each", "both", "all")
             each = each and len(openings_meant(self.room, place)) == len(subjects)  # "curtains on both windows"
@@ -185,9 +185,8 @@ class AtPlaces:
             pairs = zip(subjects, to, strict=True)  # "shelves on the left and right walls"
             found = [tuple(self._ways_at(a, at, on=on, share=share and not each, under=under)) for a, at in pairs]
             found = [ways[i : i + 1] for i, ways in enumerate(found)] if each else found
-            hung = all(self._asset(a).on_wall for a in subjects)
             told = walls_meant(self.room, place) if place.name == "wall" else []
-            few = len(told) if place.det in ("each", "both") or (hung and place.det == "all") else place.number or 0
+            few = len(told) if place.det in ("each", "both", "all") else place.number or 0
             if place.at_one_wall and len(subjects) > 1 and len(told) > 1:
                 at = [[stated(self._held(a, on), AssetRef(a), WallRef(w.index)) for a in subjects] for w in told]
                 yield Demand(tuple(map(tuple, at)))  # "mirrors on the long wall": all at the same of them
@@ -241,13 +240,14 @@ class AtPlaces:
                 ways.append((stated("align_with", AssetRef(a), WallRef(wall.index), 90.0), *far))
             yield Demand(tuple(ways))
 
-    def _ways_along_windows(self, a: str, place: Place) -> Iterator[Way]:
-        """Yield the strips of floor along the walls in which the windows are, for what is too much to stand before them."""
+    def _ways_along_windows(self, a: str, place: Place, *, under: bool) -> Iterator[Way]:
+        """Yield the walls of windows, or strips of floor along them, for what is too much to stand before each."""
         for index in sorted({opening.wall for opening in openings_meant(self.room, place)}):
             wall = self.room.walls[index]
             inside = [wall.point(t, ways_of.ALONG) for t in (wall.length, 0.0)]
             strip = tuple(_point(at) for at in (wall.point(0.0), wall.point(wall.length), *inside))
-            yield (stated("zone", AssetRef(a), strip),)
+            at = stated(self._held(a, on=False), AssetRef(a), WallRef(index))
+            yield (at if under else stated("zone", AssetRef(a), strip),)
 
     def _ways_at_a_wall(self, a: str, place: Place, *, on: bool) -> Iterator[Way]:
         """Yield the ways in which a thing is at one of the walls that are meant and long enough, or in the middle of one."""
