@@ -214,9 +214,8 @@ class Demander(AtPlaces):
                 by.setdefault(b, []).append(a)
         for b, items in by.items():
             ways = [[("left", "right")[(i + first) % 2] for i in range(len(items))] for first in (0, 1)]
-            gap = ways_of.NEAR if self._is(items[0], ways_of.SEATS) else ways_of.BESIDE
-            gap = gap if len(items) < 3 else ways_of.BESIDE * len(items)
-            if len(items) == 2 and (amid := self._ways_amidst(b, items, gap)):
+            gap = ways_of.BESIDE if len(items) < 3 else ways_of.BESIDE * len(items)
+            if len(items) == 2 and (amid := self._ways_amidst(b, items)):
                 yield Demand(amid)
                 continue
             sided = ([*zip(items, way, strict=True)] for way in ways)

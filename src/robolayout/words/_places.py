@@ -174,7 +174,8 @@ class AtPlaces:
         elif len(corners) == len(subjects) > 1:
             yield from (single(stated("corner", AssetRef(a), i)) for a, i in zip(subjects, corners, strict=True))
         else:
-            if (on or under) and place.name == "window" and len(subjects) > len(openings_meant(self.room, place)):
+            many = place.name == "window" and len(subjects) > len(openings_meant(self.room, place))
+            if many and (under or (on and self._is(subjects[0], ("table",)))):
                 yield from (Demand(tuple(self._ways_along_windows(a, place, under=under))) for a in subjects)
                 return
             each = place.name in ("window", "door") and place.det in ("each", "both", "all")
@@ -284,12 +285,14 @@ class AtPlaces:
                     )
                 )
 
-    def _ways_amidst(self, b: str, items: Sequence[str], gap: float) -> tuple[Way, ...]:
+    def _ways_amidst(self, b: str, items: Sequence[str]) -> tuple[Way, ...]:
         """Return the ways in which something is between two that are deeper, at their wall, or hangs between two that stand."""
-        shallow = self._asset(b).size[0] < min(self._asset(a).size[0] for a in items) / 2 and self._asset(b).on_floor
+        shallow = self._asset(b).size[0] < min(self._asset(a).size[0] for a in items) / 2
+        shallow = shallow and self._is(b, (*ways_of.WATCHED, "console table")) and not self._only_wall(b)
         if any(map(self._only_wall, items)) or not (shallow or self._only_wall(b)):
             return ()
         one, two, amid = (AssetRef(name) for name in (*items, b))
+        gap = ways_of.NEAR if self._is(items[0], ways_of.SEATS) else ways_of.BESIDE
         said = (stated("near", one, amid, gap), stated("near", two, amid, gap), stated("between", amid, one, two))
         if not shallow:
             return (said,)  # plants on both sides of a painting
