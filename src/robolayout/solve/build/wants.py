@@ -183,10 +183,9 @@ def _seen_first(wants: dict[str, Want]) -> dict[str, Want]:
     """Return the same with what hangs, and others look at or stand at, right before the first of these."""
     turns = {name: float(want.turn) for name, want in wants.items()}
     for want in wants.values():
-        for name in want.minds:
-            if name in wants and wants[name].hung:
-                block = want.rows.asset_names() if want.in_told_rows and want.rows else (want.name,)
-                turns[name] = min(turns[name], min(wants[one].turn for one in block) - 0.5)
+        for name in (name for name in want.minds if name in wants and wants[name].hung):
+            block = want.rows.asset_names() if want.in_told_rows and want.rows else (want.name,)
+            turns[name] = min(turns[name], min(wants[one].turn for one in block) - 0.5)
     return dict(sorted(wants.items(), key=lambda item: turns[item[0]]))
 
 
@@ -300,12 +299,13 @@ class _Gathered:
 
     def _rows(self) -> InRows | None:
         """Return the block that it belongs to: with rows as they are demanded, as far apart as is wished."""
-        said = [one for one, _ in sorted(self._all(InRows), key=lambda one: one[1] is None)]
+        found = sorted(self._all(InRows), key=lambda one: one[1] is None)
         looks = self._face(None) or any(w is None and isinstance(one.b, AssetRef) for one, w in self._all(AlignWith))
-        turned = [one.backs for one in reversed(said) if one.backs != "alike" and not looks]  # all of them one way
-        said = [one for one in said if one.items == said[-1].items]  # groups stand closer than all of them
+        told = (one.backs for one, wish in reversed(found) if wish is None or not looks)  # else all look one way
+        turned = next((backs for backs in told if backs != "alike"), "alike")
+        said = [one for one, _ in found if one.items == found[-1][0].items]  # groups stand closer than all of them
         gap = max((one.gap for one in said), default=0.0)
-        return replace(said[0], gap=gap, rows=said[-1].rows, backs=(*turned, "alike")[0]) if said else None
+        return replace(said[0], gap=gap, rows=said[-1].rows, backs=turned) if said else None
 
     def _all(self, kind: type[Kind]) -> Iterator[tuple[Kind, float | None]]:
         """Yield what is said with a relation, with its weight if it is a wish."""
