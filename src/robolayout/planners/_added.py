@@ -12,7 +12,7 @@ import numpy as np
 
 from robolayout.planners._wishes import RoomWishes, head
 from robolayout.scene import Agent
-from robolayout.words import Link, mentions, named, place_in, visits
+from robolayout.words import Link, Place, mentions, named, place_in, visits
 
 COMFORT, AIRY = 0.26, 0.15
 """Shares of the floor up to which further things are added: usually, and in a room that is to be airy."""
@@ -106,8 +106,14 @@ class Added:
             broad = beside and all(wishes.kinds[name].size[1] > BROAD for name in beside)
             if broad and link.relation in ("flank", "amid"):
                 sides |= {role.name for name in middle if (role := wishes.role(name))}
-        roles = {name: wishes.role(name) for name in usual}
-        return {name for name, role in roles.items() if role is not None and any(map(role.stands_beside, sides))}
+        cleared = [link for link in wishes.reading.parsed.links if link.relation == "cleared"]
+        before = self._roles_of(
+            [k for k in cleared if any("front" in at.words for at in k.objects if isinstance(at, Place))]
+        )
+        roles = [(name, role) for name in usual if (role := wishes.role(name)) is not None]
+        found = {name for name, role in roles if any(map(role.stands_beside, sides))}
+        low = [(name, role) for name, role in roles if head(name) == "table"]  # a coffee table before a sofa
+        return found | {name for name, role in low if any(role.stands_beside(one, "front") for one in before)}
 
     def _fits(self, group: Mapping[str, int], limit: float) -> bool:
         low = all(self.wishes.kinds[name].size[2] + SPARE <= self.ceiling for name in group)

@@ -100,9 +100,9 @@ class Role:
     say: Mapping[str, tuple[str, ...]] = field(default_factory=dict[str, tuple[str, ...]])
     top: bool = False  # whether small things may stand on it
 
-    def stands_beside(self, role: str) -> bool:
-        """Return whether it usually stands beside a thing of some role."""
-        return any(join.slot == "beside" and role in join.of for join in self.joins)
+    def stands_beside(self, role: str, slot: str = "beside") -> bool:
+        """Return whether it usually stands beside a thing of some role, or at another side of it."""
+        return any(join.slot == slot and role in join.of for join in self.joins)
 
 
 @dataclass(frozen=True)

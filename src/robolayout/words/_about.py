@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import replace
 from itertools import takewhile
@@ -217,13 +218,21 @@ class About(References):
             last is not None and last.relation == "cleared" and last.start >= self.began
         )  # "and 1.2 m in front of it"
         free = also or {word for c in ahead for word in (c.value, *c.adjectives)} & {*small.FREE, "space"}
-        if measure.kind != "length" or not free or led.value not in FREED or to.kind not in ("thing", "pron"):
+        its = led.det == "its"  # "1 m of clear space on its right"
+        known = led.value in (*FREED, "amid") and (its or to.kind in ("thing", "pron"))
+        if measure.kind != "length" or not (free and known):
             return False
         self._understood(*ahead)
         self.at += len(ahead) + 1
-        about, sides = mentions(self._objects(led)), [Place("side", (side,)) for side in FREED[led.value]]
-        gap = (measure.values[0], measure.values[0])
-        self.said.links.append(Link("cleared", tuple(about), tuple(sides), chunk.start, led.end, gap))
+        about = mentions(self._meant("it", led.value) if its else self._objects(led))
+        how, sides, gap = "cleared", [Place("side", (side,)) for side in FREED.get(led.value, ())], measure.values[0]
+        if led.value == "amid":
+            how, sides, about = (
+                "apart",
+                list[Item](about[1:]),
+                about[:1],
+            )  # "1 m of free space between the bed and the desk"
+        self.said.links.append(Link(how, tuple(about), tuple(sides), chunk.start, led.end, (gap, math.inf)))
         return True
 
     def _walls(self, subjects: list[Mention], place: Place) -> list[Mention]:

@@ -312,11 +312,17 @@ class Relating(About):
         elif subjects:
             objects = self._across_the_room(objects)
             there = self._walls(subjects, place) if (place := place_in(objects[:1])) else []
-            alone = place is not None and "same" in place.words and not there and not any(m.several for m in subjects)
-            subjects = self.recent[-2:] if alone and len(subjects) == 1 else subjects  # "a wardrobe and a dresser"
+            subjects = subjects if there or place is None else self._at_a_place(chunk, subjects, place)
             self._link(replace(chunk, value="atwalls") if there else chunk, subjects, [*objects, *there])
             self.acted = subjects
             self.verb = False
+
+    def _at_a_place(self, chunk: Chunk, subjects: list[Mention], place: Place) -> list[Mention]:
+        """Return which of some things are at a place of the room: no tables with seats around them, and both that share a wall."""
+        if chunk.value == "wall":  # "two tables for eight and shelves along the walls"
+            subjects = [m for m in subjects if m.thing.head not in TOPS or not m.thing.promising] or subjects
+        alone = "same" in place.words and len(subjects) == 1 and not subjects[0].several
+        return self.recent[-2:] if alone else subjects  # "a wardrobe and a dresser on the same wall"
 
     def _between_the_last(self) -> list[Item]:
         """Return what faces another thing, and that, where it was said last: "two armchairs facing it and a table in between"."""

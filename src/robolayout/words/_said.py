@@ -46,6 +46,11 @@ class NamedThing:
     told: list[str] = field(default_factory=list[str])  # words of taste that were said of it later ("the bed is brown")
 
     @property
+    def promising(self) -> bool:
+        """Whether it is said to have seats around it."""
+        return self.sat_at or self.people > 0
+
+    @property
     def head(self) -> str:
         """The last word of its kind: "table" of a coffee table."""
         return self.noun.kind.split()[-1]
