@@ -66,6 +66,7 @@ def test_pews_on_each_side_of_an_aisle_are_two_columns_with_an_aisle() -> None:
         ("a bedroom for two children, each with a bed and a desk", "desk", 2),
         ("a bedroom for two sisters who each have a bed", "single_bed", 2),
         ("an office where four people work, each at a desk", "desk", 4),
+        ("a restaurant with four round tables with three chairs each in the middle", "chair", 12),
         ("a lobby with two seating groups each with two armchairs and a side table", "armchair", 4),
         ("a training room with four tables of six people each facing the projector screen", "dining_table", 4),
     ],

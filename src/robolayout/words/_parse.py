@@ -178,7 +178,7 @@ class Parser(Relating):
             self.subject = self.group = self._several_meant(self.recent, self.targets)
         elif self.before and not self.group and not room:
             self.subject, self.group = list(self.before), list(self.before)
-        own = chunk.value == "each" and self._ahead().kind not in ("rel", "verb")
+        own = chunk.value == "each" and (self.holder or self._ahead().kind not in ("rel", "verb"))
         if not self._all_have(chunk) and own and self.group:
             self._one_each(self.group[-1].thing)
 

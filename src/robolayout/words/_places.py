@@ -174,8 +174,10 @@ class AtPlaces:
         elif len(corners) == len(subjects) > 1:
             yield from (single(stated("corner", AssetRef(a), i)) for a, i in zip(subjects, corners, strict=True))
         else:
-            many = place.name == "window" and len(subjects) > len(openings_meant(self.room, place))
-            if many and (under or (on and self._is(subjects[0], ("table",)))):
+            windows = openings_meant(self.room, place) if place.name == "window" else ()
+            wide = sum(self._asset(a).size[1] for a in subjects) > sum(window.width for window in windows) > 0
+            many = len(subjects) > len(windows) > 0 and self._is(subjects[0], ("table",))
+            if (under and wide) or (on and many):
                 yield from (Demand(tuple(self._ways_along_windows(a, place, under=under))) for a in subjects)
                 return
             each = place.name in ("window", "door") and place.det in ("each", "both", "all")
