@@ -186,14 +186,12 @@ class RoomWishes:
         if len(said) != 1 or said[0] not in GENERAL or thing.noun.guessed or told:
             return kind
         (word,), links = said, self.reading.parsed.links
-        if word == "bed" and thing.times > 1:  # "two children, each with a bed"
-            return "single bed"
         at = [item for link in links if thing in named(link.subjects) for item in link.objects]
         elsewhere = any(isinstance(item, Place) or item.thing.noun.kind.endswith("table") for item in at)
         usual = () if word == "chair" and elsewhere else (*room.base, *room.extras)
         items = [*([room.tables] if room.tables else []), *room.person, *usual]
         if word in items or (word in CATALOGUE and kind != word):
-            return kind
+            return "single bed" if kind == "bed" and thing.times > 1 else kind  # "two children, each with a bed"
         low = LOW if thing.sat_at else ()
         fits = [name for name in items if name.split()[-1] == word and name.split()[0] != word and name not in low]
         if thing.noun.said == "small table":  # in a game room no pool table, beside a sofa no coffee table

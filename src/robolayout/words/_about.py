@@ -212,27 +212,21 @@ class About(References):
     def _free_space(self, chunk: Chunk, measure: Measure) -> bool:
         """Note floor that is to stay free at a side of a thing: "1.5 m of free space on the left of the bed"."""
         ahead = list(takewhile(lambda c: c.kind in ("filler", "function", "part", "style"), self.chunks[self.at :]))
-        led, to = self._ahead(len(ahead)), self._ahead(len(ahead) + 1)
+        led, after = self._ahead(len(ahead)), self._ahead(len(ahead) + 1)
         last = self.said.links[-1] if self.said.links else None
-        also = (
-            last is not None and last.relation == "cleared" and last.start >= self.began
-        )  # "and 1.2 m in front of it"
+        # "1.5 m of free space beside the bed and 1.2 m in front of it"
+        also = last is not None and last.relation == "cleared" and last.start >= self.began
         free = also or {word for c in ahead for word in (c.value, *c.adjectives)} & {*small.FREE, "space"}
         its = led.det == "its"  # "1 m of clear space on its right"
-        known = led.value in (*FREED, "amid") and (its or to.kind in ("thing", "pron"))
+        known = led.value in (*FREED, "amid") and (its or after.kind in ("thing", "pron"))
         if measure.kind != "length" or not (free and known):
             return False
         self._understood(*ahead)
         self.at += len(ahead) + 1
         about = mentions(self._meant("it", led.value) if its else self._objects(led))
-        how, sides, gap = "cleared", [Place("side", (side,)) for side in FREED.get(led.value, ())], measure.values[0]
-        if led.value == "amid":
-            how, sides, about = (
-                "apart",
-                list[Item](about[1:]),
-                about[:1],
-            )  # "1 m of free space between the bed and the desk"
-        self.said.links.append(Link(how, tuple(about), tuple(sides), chunk.start, led.end, (gap, math.inf)))
+        sides = [Place("side", (side,)) for side in FREED.get(led.value, ())]
+        how, on, to = ("cleared", about, sides) if sides else ("apart", about[:1], about[1:])  # "between the two"
+        self.said.links.append(Link(how, (*on,), (*to,), chunk.start, led.end, (measure.values[0], math.inf)))
         return True
 
     def _walls(self, subjects: list[Mention], place: Place) -> list[Mention]:

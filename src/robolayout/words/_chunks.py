@@ -22,23 +22,6 @@ PLACING = ("place", "put", "position", "install", "mount")
 SIDES = {"left": "left", "right": "right", "foot": "foot", "head": "end"}
 """Relations to a thing by the side of it that is named."""
 
-NO_THINGS = (
-    "total",
-    "style",
-    "kind",
-    "row",
-    "rows",
-    "grid",
-    "line",
-    "lot",
-    "nothing",
-    "group",
-    "groups",
-    "cluster",
-    "clusters",
-)
-"""Nouns that name no thing."""
-
 Before = tuple[str, int | None, str, int]
 """What stands before a noun: article, number, bound, rows."""
 
@@ -399,8 +382,10 @@ class Chunker(ClosedWords):
     def _promises(self, run: list[str]) -> bool:
         """Return whether an article before such words promises a thing."""
         last, known = run[-1], self.grammar
-        closed = (known.styles, known.functions, known.fillers, known.sizes, known.walls, small.COMPARING, NO_THINGS)
-        return not any(last in words for words in closed) and len(last) > 2 and not last.endswith("ly")
+        closed = (known.styles, known.functions, known.fillers, known.sizes, known.walls, small.COMPARING)
+        return (
+            not any(last in words for words in (*closed, small.NO_THINGS)) and len(last) > 2 and not last.endswith("ly")
+        )
 
     def _single(self, at: int) -> Chunk:
         """Return a word that is part of nothing larger."""

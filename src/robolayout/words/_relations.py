@@ -46,9 +46,11 @@ class Relating(About):
         if chunk.measure is not None and chunk.measure.kind == "grid" and self.group:
             rows = int(chunk.measure.values[0])
             self.said.links.append(Link("rows", (self.group[-1],), (), chunk.start, chunk.end, rows=rows))
-        if chunk.kind == "people" and self.group and chunk.number and self._previous(chunk) in ("for", "of"):
+        seated = bool(self.group) and self.group[-1].thing.head in (*TOPS, *SEATS)
+        by = ("for", "of") if seated else ("for",)  # "tables of six people", but no pictures of them
+        if chunk.kind == "people" and self.group and chunk.number and self._previous(chunk) in by:
             self.group[-1].thing.people = chunk.number
-            if self.group[-1].thing.head in (*TOPS, *SEATS):
+            if seated:
                 self.said.facts[-1:] = [chunk, replace(chunk, kind="seats")]
 
     def _on_with(self, chunk: Chunk) -> None:

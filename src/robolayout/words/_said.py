@@ -176,7 +176,12 @@ class Place:
     @property
     def at_one_wall(self) -> bool:
         """Whether all of several things are at one wall, whichever it is: "one wall", "the long wall"."""
-        told = bool(self.words) and len(self.apart) == 1 and self.det in ("a", "the", "one") and not self.plural
+        told = (
+            bool({*self.words} - {"middle"})
+            and len(self.apart) == 1
+            and self.det in ("a", "the", "one")
+            and not self.plural
+        )
         return self.name == "wall" and (self.number == 1 or told)
 
 
