@@ -248,7 +248,9 @@ class RoomWishes:
         if thing.sizes or not thing.noun.kind.endswith("table"):
             return depth, width, height
         name = thing.noun.said if "oval" in thing.noun.said else thing.noun.kind
-        return self._seating(name, size, math.ceil(_seats(thing, links)) or self._everyone(thing))
+        seats = math.ceil(_seats(thing, links)) or self._everyone(thing)
+        told = {*thing.adjectives} & {*grammar().sizes}  # a long table for two stays long
+        return size if told and seats <= 2 else self._seating(name, size, seats)
 
     def _everyone(self, thing: NamedThing) -> int:
         """Return how many sit at the only table that is named: all who are in the room, or as many as have a chair."""
