@@ -6,14 +6,11 @@ The checks look at poses and sizes alone.
 from __future__ import annotations
 
 import math
-from functools import cache
 
 import pytest
+from said_rooms import made, of
 
-import robolayout as rl
 from robolayout.run.result import Result
-
-made = cache(rl.generate)
 
 SENTENCES = (
     "a living room with two sofas facing each other and a fireplace",
@@ -59,10 +56,6 @@ def test_everything_is_met_and_nothing_stands_askew(text: str) -> None:
     assert [row["words"] for row in result.report.to_dict()["asked"] if row["verdict"] != "met"] == []
     askew = [name for name in result.layout if abs(math.sin(2 * result.layout[name].yaw)) > 0.02]
     assert askew == []
-
-
-def of(result: Result, kind: str) -> list[str]:
-    return [name for name in result.layout if name.rsplit("-", 1)[0] == kind]
 
 
 def along(result: Result, name: str, one: str) -> float:

@@ -73,7 +73,7 @@ def shares(count: int, table: tuple[float, float], width: float) -> dict[str, in
     """Return how many seats go to each side: long sides first in pairs, then the heads, then whatever is left evenly."""
     hx, hy = table
     long, short = (("front", "back"), ("left", "right")) if hy >= hx else (("left", "right"), ("front", "back"))
-    room_long = max(1, int(2 * max(hx, hy) / max(width, 0.4) + 1e-6))
+    room_long = _seats_along(2 * max(hx, hy), max(width, 0.4))
     square = max(hx, hy) < SEATING.even * min(hx, hy)
     if square and count <= 4:
         order = (*long, *short)
@@ -87,12 +87,16 @@ def shares(count: int, table: tuple[float, float], width: float) -> dict[str, in
     return result
 
 
+def _seats_along(side: float, width: float) -> int:
+    return max(1, int(side / width + 1e-6))
+
+
 def most_seats(table: Asset, seat: Asset) -> int:
     """Return how many seats of a width stand around a table: side by side at its long sides, and one at each end."""
     depth, width, _ = table.size
     if _is_round(table):
         return int(math.pi * (max(depth, width) + seat.size[0]) / seat.size[1])
-    return 2 * max(1, int(max(depth, width) / seat.size[1] + 1e-6)) + 2
+    return 2 * _seats_along(max(depth, width), seat.size[1]) + 2
 
 
 @dataclass(frozen=True)

@@ -12,7 +12,7 @@ import numpy as np
 
 from robolayout.planners._wishes import RoomWishes, head
 from robolayout.scene import Agent
-from robolayout.words import Link, Place, mentions, named, place_in, visits
+from robolayout.words import Link, mentions, named, place_in, visits
 
 COMFORT, AIRY = 0.26, 0.15
 """Shares of the floor up to which further things are added: usually, and in a room that is to be airy."""
@@ -106,10 +106,8 @@ class Added:
             broad = beside and all(wishes.kinds[name].size[1] > BROAD for name in beside)
             if broad and link.relation in ("flank", "amid"):
                 sides |= {role.name for name in middle if (role := wishes.role(name))}
-        cleared = [link for link in wishes.reading.parsed.links if link.relation == "cleared"]
-        before = self._roles_of(
-            [k for k in cleared if any("front" in at.words for at in k.objects if isinstance(at, Place))]
-        )
+        cleared = (link for link in wishes.reading.parsed.links if link.relation == "cleared")
+        before = self._roles_of([k for k in cleared if (at := place_in(k.objects)) and "front" in at.words])
         roles = [(name, role) for name in usual if (role := wishes.role(name)) is not None]
         found = {name for name, role in roles if any(map(role.stands_beside, sides))}
         low = [(name, role) for name, role in roles if head(name) == "table"]  # a coffee table before a sofa

@@ -56,7 +56,7 @@ Size = tuple[float, float, float]
 APART = 0.25  # metres between things that lie on a rug or sit in a line
 LONGEST = 50.0  # metres of the longest thing that a room is furnished with
 ELBOWS = 0.6  # metres of a table's edge for who sits there
-SPARE = 0.03  # metres between seats that are wider
+APART_AT_TABLE = 0.03  # metres between seats that are wider
 FOR_TWO = 0.8  # metres of a table for two
 
 SEATS, AT_A_LINE = ("stool", "chair"), ("front", "by", "with", "wall", "next", "around")
@@ -267,7 +267,7 @@ class RoomWishes:
         if 0 < seats <= 2 and name == "dining table" and depth != width:
             return depth, min(width, FOR_TWO), height
         chairs = [self.lexicon.kinds[one].size[1] for one in self.room.person if head(one) == "chair"]
-        elbows = max([ELBOWS, *(chair + SPARE for chair in chairs)])
+        elbows = max([ELBOWS, *(chair + APART_AT_TABLE for chair in chairs)])
         if seats and depth == width and "oval" not in name:
             depth = width = max(depth, round(seats * elbows / math.pi, 2))
             if name == "round table":

@@ -22,7 +22,7 @@ from robolayout.planners._knowledge import load_knowledge
 from robolayout.planners._openings import with_openings
 from robolayout.planners._wishes import RoomWishes, head, read_wishes
 from robolayout.scene import FLAT_HEIGHT, Agent, Room, Scene, load_agent, scene_from_dict, variable_name
-from robolayout.words import Place, RoomType, dressing, named, visits
+from robolayout.words import RoomType, dressing, named, place_in, visits
 
 
 @dataclass(frozen=True)
@@ -224,8 +224,8 @@ def _blocks(wishes: RoomWishes) -> Iterator[tuple[float, float]]:
     links = wishes.reading.parsed.links
     for link in links:
         line = [mention for mention in link.subjects if mention.thing.category.on_floor]
-        at_one_wall = link.relation == "wall" and any(isinstance(to, Place) and to.at_one_wall for to in link.objects)
-        if (link.relation in ("row", "abreast") or at_one_wall) and line:
+        at = place_in(link.objects, "wall") if link.relation == "wall" else None
+        if line and (link.relation in ("row", "abreast") or (at is not None and at.at_one_wall)):
             sizes = [(one.count, *wishes.kinds[wishes.kind(one.thing)].size) for one in line]
             wide = sum(count * width for count, _, width, _ in sizes) + SIZES.around
             tall = max(height for *_, height in sizes) > SIZES.low

@@ -382,10 +382,9 @@ class Chunker(ClosedWords):
     def _promises(self, run: list[str]) -> bool:
         """Return whether an article before such words promises a thing."""
         last, known = run[-1], self.grammar
-        closed = (known.styles, known.functions, known.fillers, known.sizes, known.walls, small.COMPARING)
-        return (
-            not any(last in words for words in (*closed, small.NO_THINGS)) and len(last) > 2 and not last.endswith("ly")
-        )
+        kinds = (known.styles, known.functions, known.fillers, known.sizes, known.walls)
+        closed = any(last in words for words in (*kinds, small.COMPARING, small.NO_THINGS))
+        return not closed and len(last) > 2 and not last.endswith("ly")
 
     def _single(self, at: int) -> Chunk:
         """Return a word that is part of nothing larger."""

@@ -18,9 +18,6 @@ from robolayout.words.demands import Demand, Way, single, stated
 COMPASS = {"north": (0.0, -1.0), "south": (0.0, 1.0), "east": (-1.0, 0.0), "west": (1.0, 0.0)}
 """Inward normals of walls by name, as on a plan: north is up."""
 
-TURNS = {"front": 0.0, "left": math.pi / 2, "back": math.pi, "right": -math.pi / 2}
-"""Radians from a thing's front to its sides."""
-
 SAME = 0.05
 """Metres by which walls that count as equally long may differ."""
 
@@ -36,10 +33,10 @@ def walls_meant(room: Room, place: Place) -> list[Wall]:
     if place.by is None or place.by[1].name not in ("door", "window"):
         return walls
     how, by = place.by
-    own = {opening.wall for opening in openings(room, by.name)}
     if how == "with":
-        return [wall for wall in walls if wall.index in own] or walls
-    return [wall for wall in walls if any(_across(wall, room.walls[index]) for index in own)] or walls
+        return _told(walls, by.name, room) or walls
+    own = _told(list(room.walls), by.name, room)
+    return [wall for wall in walls if any(_across(wall, other) for other in own)] or walls
 
 
 def _told(walls: list[Wall], word: str, room: Room) -> list[Wall]:
@@ -58,7 +55,12 @@ def _told(walls: list[Wall], word: str, room: Room) -> list[Wall]:
 
 
 def _across(one: Wall, two: Wall) -> bool:
-    return one.normal[0] * two.normal[0] + one.normal[1] * two.normal[1] < -math.sqrt(0.5)
+    return _opposed(one.normal, two.normal)
+
+
+def _opposed(one: tuple[float, float], two: tuple[float, float]) -> bool:
+    """Return whether two unit vectors point more against than across each other."""
+    return one[0] * two[0] + one[1] * two[1] < -math.sqrt(0.5)
 
 
 def corners_meant(room: Room, place: Place) -> list[int]:
@@ -173,13 +175,13 @@ class AtPlaces:
             )
         elif len(corners) == len(subjects) > 1:
             yield from (single(stated("corner", AssetRef(a), i)) for a, i in zip(subjects, corners, strict=True))
+        elif place.name == "window" and self._too_many(subjects, place, on=on, under=under):
+            yield from (Demand(tuple(self._ways_along_windows(a, place, under=under))) for a in subjects)
+        elif place.at_one_wall and len(subjects) > 1 and len(told := walls_meant(self.room, place)) > 1:
+            at = [[stated(self._held(a, on), AssetRef(a), WallRef(w.index)) for a in subjects] for w in told]
+            yield Demand(tuple(map(tuple, at)))  # "mirrors on the long wall": all at the same of them
+            yield from [in_rows(subjects, 1)] if len(subjects) > 2 and alike(self.scene, subjects) else []
         else:
-            windows = openings_meant(self.room, place) if place.name == "window" else ()
-            wide = sum(self._asset(a).size[1] for a in subjects) > sum(window.width for window in windows) > 0
-            many = len(subjects) > len(windows) > 0 and self._is(subjects[0], ("table",))
-            if (under and wide) or (on and many):
-                yield from (Demand(tuple(self._ways_along_windows(a, place, under=under))) for a in subjects)
-                return
             each = place.name in ("window", "door") and place.det in ("each", "both", "all")
             each = each and len(openings_meant(self.room, place)) == len(subjects)  # "curtains on both windows"
             walls = place.apart
@@ -190,11 +192,6 @@ class AtPlaces:
             found = [ways[i : i + 1] for i, ways in enumerate(found)] if each else found
             told = walls_meant(self.room, place) if place.name == "wall" else []
             few = len(told) if place.det in ("each", "both", "all") else place.number or 0
-            if place.at_one_wall and len(subjects) > 1 and len(told) > 1:
-                at = [[stated(self._held(a, on), AssetRef(a), WallRef(w.index)) for a in subjects] for w in told]
-                yield Demand(tuple(map(tuple, at)))  # "mirrors on the long wall": all at the same of them
-                yield from [in_rows(subjects, 1)] if len(subjects) > 2 and alike(self.scene, subjects) else []
-                return
             if 1 < few <= min(len(subjects), len(told)):  # "shelves on both long walls": each of them has some
                 some = subjects[:: len(subjects) // few][:few]
                 sets = [zip(some, walls, strict=True) for walls in combinations(told, few)]
@@ -232,16 +229,23 @@ class AtPlaces:
     def _cleared(self, subjects: Sequence[str], side: str, metres: float) -> Iterator[Demand]:
         """Yield that so much floor is free at a side of things: no thing stands there, and no wall."""
         for a in (a for a in subjects if self._asset(a).on_floor):
-            turn, half = TURNS[side], self._asset(a).size[side in ("left", "right")] / 2
+            half = self._asset(a).size[side in ("left", "right")] / 2
             yield single(stated("keep_clear", AssetRef(a), side, metres))
             ways: list[Way] = []
-            for wall in self.room.walls:
-                (nx, ny), c, s = wall.normal, math.cos(turn), math.sin(turn)
-                x, y = nx * c - ny * s, nx * s + ny * c
-                ahead = [one for one in self.room.walls if one.normal[0] * x + one.normal[1] * y < -math.sqrt(0.5)]
+            for wall in self.room.walls:  # at its back
+                x, y = wall.normal
+                to = {"front": (x, y), "left": (-y, x), "back": (-x, -y), "right": (y, -x)}[side]
+                ahead = [one for one in self.room.walls if _opposed(one.normal, to)]
                 far = (stated("distance_constraint", AssetRef(a), WallRef(w.index), half + metres) for w in ahead)
                 ways.append((stated("align_with", AssetRef(a), WallRef(wall.index), 90.0), *far))
             yield Demand(tuple(ways))
+
+    def _too_many(self, subjects: Sequence[str], place: Place, *, on: bool, under: bool) -> bool:
+        """Return whether things do not all have room under windows, or tables before those that they are along."""
+        windows = openings_meant(self.room, place)
+        wide = sum(self._asset(a).size[1] for a in subjects) > sum(window.width for window in windows) > 0
+        many = len(subjects) > len(windows) > 0 and self._is(subjects[0], ("table",))
+        return (under and wide) or (on and many)
 
     def _ways_along_windows(self, a: str, place: Place, *, under: bool) -> Iterator[Way]:
         """Yield the walls of windows, or strips of floor along them, for what is too much to stand before each."""

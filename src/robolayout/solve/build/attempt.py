@@ -281,8 +281,9 @@ class BuildPass:
             self.lost = before
             return False
         dear = cost > COSTS.much and limit is None
-        kept = cost if self.together and len(self.lost) <= len(before) else math.inf
-        if dear and len(cluster.members) > 1 and self._better_split(cluster, modes, weights, kept):
+        whole = self.together and len(self.lost) <= len(before) and cost <= COSTS.bearable
+        split = partial(self._better_split, cost=cost) if whole else self._split
+        if dear and len(cluster.members) > 1 and split(cluster, modes, weights):
             return True
         if dear and "middle" not in modes:
             self.lost = before
@@ -334,11 +335,11 @@ class BuildPass:
         return chosen
 
     def _better_split(self, cluster: Cluster, modes: Modes, weights: Mapping[str, float], cost: float) -> bool:
-        """Split a cluster whose best place costs so much, unless that is bearable and its parts come to stand worse."""
+        """Split a cluster whose best place costs so much, unless its parts come to stand worse."""
         site, done, lost, missed = self.site.copy(), len(self.steps), self.lost, set(self.missed)
         if not self._split(cluster, modes, weights):
             return False
-        if cost > COSTS.bearable or sum(step.cost for step in self.steps[done:]) <= cost + COSTS.parting:
+        if sum(step.cost for step in self.steps[done:]) <= cost + COSTS.parting:
             return True
         self.site, self.lost, self.missed = site, lost, missed
         del self.steps[done:]

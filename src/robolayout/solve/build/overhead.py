@@ -202,9 +202,11 @@ def _used_room(site: Site, name: str, member: Member) -> float:
 
 def _crowding(site: Site, name: str, member: Member) -> float:
     """Return a cost for hanging close to others of its kind, so that pictures spread, and each mirror has room for its chair."""
-    before = [site.size(want.name)[1] for want in site.wants.values() if want.standing and name in want.at]
     same = [s.member for n, s in site.spots.items() if site.wants[n].kind == site.wants[name].kind and s.mode == "hang"]
     away = [math.hypot(m.x - member.x, m.y - member.y) for m in same]
+    if not away:
+        return 0.0
+    before = [site.size(want.name)[1] for want in site.wants.values() if want.standing and name in want.at]
     if before:
         return HANGING.crowded * sum(max(0.0, max(before) + HANGING.between - far) for far in away)
     if any(weight > 0 for _, weight in site.wants[name].near):
