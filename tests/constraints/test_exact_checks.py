@@ -290,3 +290,32 @@ def test_seats_stand_around_a_round_table_on_a_circle(count: int) -> None:
     assert apart == pytest.approx([0.0] * count)
     assert [math.hypot(x, y) for x, y, _ in slots] == pytest.approx([1.3 / 2 + 0.1 + 0.25] * count)
     assert all(math.isclose(x * math.cos(yaw) + y * math.sin(yaw), -math.hypot(x, y)) for x, y, yaw in slots)
+
+
+@pytest.mark.parametrize(
+    ("places", "options", "met"),
+    [
+        ([(1.0, 1.0, 0.0), (1.0, 2.4, 0.0), (3.0, 1.0, 0.0), (3.0, 2.4, 0.0)], {"aisle": 1.4}, True),
+        ([(1.0, 1.0, 0.0), (1.0, 2.4, 0.0), (3.0, 1.0, 0.0), (3.0, 2.4, 0.0)], {"aisle": 1.5}, False),
+        ([(1.0, 1.0, 0.0), (1.0, 2.4, 0.0), (3.0, 1.0, 0.0), (3.0, 2.4, 0.0)], {"aisle": 1.4, "gap": 0.4}, True),
+        ([(1.0, 1.0, 0.0), (1.0, 2.4, 0.0), (3.0, 1.0, 0.0), (3.0, 2.4, 0.0)], {"aisle": 1.4, "gap": 0.5}, False),
+        ([(1.0, 1.0, math.pi), (1.0, 2.4, math.pi), (1.63, 1.0, 0.0), (1.63, 2.4, 0.0)], {"backs": "paired"}, True),
+        ([(1.0, 1.0, math.pi), (1.0, 2.4, math.pi), (1.63, 1.0, 0.0), (1.63, 2.4, 0.0)], {"aisle": 0.5}, False),
+        ([(1.0, 1.0, 0.0), (1.0, 2.4, 0.0), (1.63, 1.0, math.pi), (1.63, 2.4, math.pi)], {"backs": "facing"}, False),
+    ],
+)
+def test_rows_are_as_far_apart_as_asked_but_for_those_back_to_back(
+    places: list[tuple[float, float, float]], options: dict[str, object], met: bool
+) -> None:
+    desks = tuple(Asset(f"desk-{i}", "desk", (0.6, 1.0, 0.75)) for i in range(4))
+    rows = said("in_rows", tuple(AssetRef(desk.name) for desk in desks), **options)
+    assert check(rows, *places, assets=desks) is met
+
+
+def test_a_bed_between_two_windows_may_have_its_back_to_their_wall() -> None:
+    bed = Asset("a-0", "bed", (2.2, 1.8, 0.6))
+    between = said("between", A, PointRef(1.0, 5.0), PointRef(5.0, 5.0))
+    assert check(between, (3.0, 3.9, -NORTH), assets=(bed,))
+    assert not check(between, (3.0, 3.3, -NORTH), assets=(bed,))
+    (row,) = between.terms(Scene(ROOM, (bed,)), Layout({"a-0": Pose(3.0, 3.9, 0.3, -NORTH)}))
+    assert row.across.high >= 1.1  # the search leaves it there

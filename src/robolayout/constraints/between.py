@@ -37,7 +37,8 @@ class BetweenTwo(Relation):
         one, two = (frame(scene, near, ref) for ref in (self.b, self.c))
         middle = PointRef((one.x + two.x) / 2, (one.y + two.y) / 2, yaw=math.atan2(two.y - one.y, two.x - one.x))
         most = math.dist((one.x, one.y), (two.x, two.y)) * (0.5 - ENDS)
-        half = TOLERANCE.aside / 2
+        deep = isinstance(self.b, PointRef) and isinstance(self.c, PointRef)  # windows, to whose wall it has its back
+        half = TOLERANCE.aside / 2 + (max(scene.by_name[self.a.name].size[:2]) / 2 if deep else 0.0)
         return (FrameTerm(self.a, middle, along=Interval(-most, most), across=Interval(-half, half)),)
 
     def check(self, scene: Scene, layout: Layout) -> Outcome:

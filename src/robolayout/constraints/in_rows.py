@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from itertools import pairwise
 
 from robolayout.constraints._exact import TOLERANCE, angle_between, frame
 from robolayout.constraints._refs import AssetRef
@@ -35,10 +36,10 @@ class InRows(Relation):
     def terms(self, scene: Scene, near: Layout) -> tuple[Term, ...]:
         """Return one row for each but the first: on the first one's line, or at its place beside the nearest line."""
         first, here = self.items[0], frame(scene, near, self.items[0])
+        step = scene.by_name[first.name].size[0] / 2
         rows: list[Term] = []
         for item in self.items[1:]:
             u, v = here.seen(near[item.name].at)
-            step = scene.by_name[item.name].size[0] / 2
             along = 0.0 if abs(u) < step else u
             turned = math.pi if math.cos(near[item.name].yaw - here.yaw) < 0 else 0.0
             rows.append(
@@ -49,27 +50,37 @@ class InRows(Relation):
         return tuple(rows)
 
     def check(self, scene: Scene, layout: Layout) -> Outcome:
-        """Headings alike or opposite within 10 degrees (by turns with `backs`); middles of a line within 5 cm; as many lines as asked."""
+        """Along one line within 10 degrees, by turns with `backs`; rows straight within 5 cm, as many and as far apart as asked."""
         here = frame(scene, layout, self.items[0])
         apart = [angle_between(layout[item.name].yaw, here.yaw) for item in self.items]
         turned = max(min(off, 180.0 - off) for off in apart)
-        lines: list[list[float]] = []
+        depth, width, _ = scene.by_name[self.items[0].name].size
+        lines: list[list[tuple[float, float]]] = []
         ahead: list[set[bool]] = []
-        for u, item in sorted((here.seen(layout[item.name].at)[0], item) for item in self.items):
-            if not lines or u - lines[-1][0] >= scene.by_name[item.name].size[0] / 2:
+        for (u, v), item in sorted((here.seen(layout[item.name].at), item) for item in self.items):
+            if not lines or u - lines[-1][0][0] >= depth / 2:
                 lines.append([])
                 ahead.append(set())
-            lines[-1].append(u)
+            lines[-1].append((u, v))
             ahead[-1].add(math.cos(layout[item.name].yaw - here.yaw) > 0)
-        off = max(max(line) - min(line) for line in lines)
+        off = max(line[-1][0] - line[0][0] for line in lines)
         longest = max(map(len, lines))
         even = self.rows is None or (len(lines) == self.rows and longest <= math.ceil(len(self.items) / self.rows))
         turns = [[{(k % 2 == first) == (self.backs == "facing")} for k in range(len(lines))] for first in (0, 1)]
+        aisles = [
+            two[0][0] - one[-1][0] - depth
+            for (one, two), ways in zip(pairwise(lines), pairwise(ahead), strict=True)
+            if self.backs == "alike" or ways != ({False}, {True})
+        ]
+        gaps = [b - a - width for line in lines for a, b in pairwise(sorted(v for _, v in line))]
+        close = max(self.aisle - min(aisles, default=math.inf), self.gap - min(gaps, default=math.inf))
         met = (
             off <= 2 * TOLERANCE.gap
             and turned <= TOLERANCE.angle
             and even
             and (self.backs == "alike" or ahead in turns[: 1 + len(lines) % 2])  # one row of three is by itself
+            and close <= TOLERANCE.gap
         )
         text = f"{len(lines)} rows of at most {longest}, up to {off:.2f} m out of line, {turned:.0f} deg off"
-        return Outcome(met, off, 2 * TOLERANCE.gap, "m", text)
+        text += f", {min(aisles):.2f} m apart" if aisles else ""
+        return Outcome(met, max(off, close), 2 * TOLERANCE.gap, "m", text)

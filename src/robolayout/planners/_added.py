@@ -10,9 +10,9 @@ from itertools import chain
 
 import numpy as np
 
-from robolayout.planners._wishes import RoomWishes, head
+from robolayout.planners._wishes import INSTEAD, RoomWishes, head
 from robolayout.scene import Agent
-from robolayout.words import Link, mentions, named, place_in, visits
+from robolayout.words import WATCHING, Link, mentions, named, place_in, visits
 
 COMFORT, AIRY = 0.26, 0.15
 """Shares of the floor up to which further things are added: usually, and in a room that is to be airy."""
@@ -50,7 +50,7 @@ class Added:
         self.room = wishes.room
         self.fill = AIRY if wishes.reading.airy else self.fill
         self.asked = {*map(wishes.head, wishes.things), *({"bed"} & {*map(wishes.head, self.wished)})}
-        self.lasts = {name.split()[-1] for name in wishes.things} | wishes.general
+        self.lasts = {name.split()[-1] for name in wishes.things if INSTEAD.get(name) != name} | wishes.general
         links = [link for link in wishes.reading.parsed.links if link.relation in ("on", "above")]
         laid = {mention.thing.noun.kind for link in links for mention in link.subjects}
         borne = {kind for kind in laid if "floor" not in wishes.kinds[kind].places}
@@ -75,7 +75,7 @@ class Added:
             owners = {other for other in self.room.base if head(name) == "chair" and name in self._companions(other)}
             owned = not owners or owners & {*self.wished, *self.found}
             if owned and not self._named(name) and name not in self.found and not self._of_one(name):
-                self._add(name, self._at_open_sides(name, most))
+                self._add(name, self._at_open_sides(name, self._borne(name, most)))
         self._zones()
         if "ceiling lamp" in self.found:
             self.found["ceiling lamp"] = max(self.found["ceiling lamp"], round(self.floor / LIT))
@@ -88,7 +88,7 @@ class Added:
     def _unseen(self) -> set[str]:
         """Return what nobody looks at where seats face another such thing: a television where the sofa faces the fireplace."""
         wishes, usual = self.wishes, [*self.room.base, *self.room.extras]
-        links = [link for link in wishes.reading.parsed.links if link.relation in ("facing", "opposite", "front")]
+        links = [link for link in wishes.reading.parsed.links if link.relation in WATCHING]
         seen = (to.thing for link in links for one in link.subjects if one.sat_on for to in mentions(link.objects))
         watched = {role.name for to in seen if (role := wishes.role(wishes.kind(to)))}
         looks = (set(role.face.roles) for name in usual if (role := wishes.role(name)))
@@ -180,6 +180,16 @@ class Added:
             return most
         return int(not any(map(role.stands_beside, self.bared)))
 
+    def _borne(self, name: str, most: int) -> int:
+        """Return how many of a thing are added: no two lamps on one desk."""
+        role = self.wishes.role(name)
+        join = next((join for join in role.joins if join.on_top), None) if role else None
+        if join is None or self.wishes.kinds[name].places != ("object",):
+            return most
+        there = both(self.wished, self.found)
+        bearers = (there[one] for one in there if (other := self.wishes.role(one)) and other.name in join.of)
+        return min(most, max(join.most * sum(bearers), 1))
+
     def _roles_of(self, links: Sequence[Link]) -> set[str]:
         """Return the roles of what some relations are about."""
         roles = (self.wishes.role(self.wishes.kind(mention.thing)) for link in links for mention in link.subjects)
@@ -187,10 +197,12 @@ class Added:
 
     def _of_another(self, name: str, owner: str) -> bool:
         """Return whether a thing is said to be around, or with, other things than its owner alone: the chairs of a table."""
-        links = (link for link in self.wishes.reading.parsed.links if link.relation in ("with", "around"))
-        own = (link for link in links if name in {self.wishes.kind(mention.thing) for mention in link.subjects})
-        owners = {self.wishes.kind(item.thing) for link in own for item in mentions(link.objects)}
-        return bool(owners) and not owner.endswith(tuple(owners))
+        links = [link for link in self.wishes.reading.parsed.links if link.relation in ("with", "around")]
+        named_so = [thing for thing, kind in self.wishes.asked.items() if kind.name == name]
+        own = [[link for link in links if thing in named(link.subjects)] for thing in named_so]
+        owners = {self.wishes.kind(item.thing) for each in own for link in each for item in mentions(link.objects)}
+        names = (owner, self.wishes.kinds[owner].like or owner)
+        return all(own) and bool(owners) and not any(one.endswith(tuple(owners)) for one in names)
 
     def _add(self, name: str, most: int) -> None:
         """Add a thing with what it needs, as many times as there is room for."""

@@ -253,7 +253,10 @@ def _join(relation: Relation, a: Cast, b: Cast, asked: Mapping[str, Relation], p
     known = next((join for join in a.role.joins if b.role.name in join.of), None)
     around = "point_towards" in asked or (a.role.name.endswith("seat") and b.role.name.endswith("table"))
     if relation.name == "near" and (known is not None or around):
-        return known or AROUND
+        free = b.role.name.endswith("table") or "middle" in b.role.stands  # else a fireplace
+        if free and (known is None or (known.slot == "front" and "point_towards" in asked)):  # not only before a piano
+            return AROUND
+        return known
     match relation:
         case NextTo(side="left" | "right" | "beside"):
             return _beside(GAPS.seated, ())

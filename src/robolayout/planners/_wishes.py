@@ -158,7 +158,7 @@ class RoomWishes:
     def general(self) -> frozenset[str]:
         """Nouns that say no more than one word ("lamp"): nothing more of that name is added."""
         said = self.reading.parsed.things
-        return frozenset(t.noun.said for t in said if " " not in t.noun.said and not t.adjectives)
+        return frozenset(t.noun.said for t in said if " " not in t.noun.said and not (t.adjectives or t.of_pet))
 
     @property
     def seats(self) -> int:

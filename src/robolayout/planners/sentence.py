@@ -22,7 +22,7 @@ from robolayout.planners._knowledge import load_knowledge
 from robolayout.planners._openings import with_openings
 from robolayout.planners._wishes import RoomWishes, head, read_wishes
 from robolayout.scene import FLAT_HEIGHT, Agent, Room, Scene, load_agent, scene_from_dict, variable_name
-from robolayout.words import RoomType, dressing, named, place_in, visits
+from robolayout.words import CROWD, RoomType, dressing, named, place_in, places, visits
 
 
 @dataclass(frozen=True)
@@ -230,15 +230,24 @@ def _blocks(wishes: RoomWishes) -> Iterator[tuple[float, float]]:
             wide = sum(count * width for count, _, width, _ in sizes) + SIZES.around
             tall = max(height for *_, height in sizes) > SIZES.low
             yield wide, wide if tall else 0.0  # tall things need a wall without a window
-        things = [mention.thing for mention in link.subjects] if link.relation == "rows" and link.rows > 1 else []
-        for thing in things[:1]:
-            kind = wishes.kind(thing)
+        for thing in named(link.subjects) if link.relation == "cleared" else ():
+            depth, width, _ = wishes.kinds[wishes.kind(thing)].size
+            at = [side for place in places(link.objects) for side in place.words]
+            across, ahead = (sum(side in at for side in two) for two in (("left", "right"), ("front", "back")))
+            wide, deep = width + across * link.metres[0], depth + ahead * link.metres[0]
+            beside = (0.0, SIZES.around, SIZES.before)  # what stands beyond, at no side, one or two
+            yield wide + beside[across], deep + beside[ahead]
+        spaced = link.relation == "apart" and not link.objects and len(line) == 1 and line[0].thing.count >= CROWD
+        for thing in [one.thing for one in link.subjects if spaced or (link.relation == "rows" and link.rows > 1)][:1]:
+            kind, rows = wishes.kind(thing), thing.rows if spaced else link.rows
             depth, width, height = wishes.kinds[kind].size
-            each = math.ceil(thing.count / link.rows)
+            rows, gap = (rows, 0.0) if rows > 0 else (math.ceil(math.sqrt(thing.count)), link.metres[0])
+            each = math.ceil(thing.count / rows)
             aisle = SIZES.between if kind.endswith(("desk", "table")) else SIZES.aisle * (height >= FLAT_HEIGHT)
-            ahead = link.rows * (depth + aisle) + SIZES.around + SIZES.before
+            aisle += link.metres[0] * spaced
+            ahead = rows * (depth + aisle) + SIZES.around + SIZES.before
             watching = any(k.relation == "facing" and thing in named(k.subjects) for k in links)
-            yield each * width + 2 * SIZES.around, ahead
+            yield each * (width + gap) + 2 * SIZES.around, ahead
             yield ahead * watching, ahead  # what they watch may be at any wall
 
 

@@ -19,7 +19,14 @@ from robolayout.words._ways import CROWD, OTHER_SIDE, SEATS, TOPS
 CORNERS, WALLS = ("near", "far"), ("facing", "behind", "by", "with")
 """Relations by which a door or window tells a corner or a wall from the others."""
 
-FREED = {"front": ("front",), "behind": ("back",), "left": ("left",), "right": ("right",), "flank": ("left", "right")}
+FREED: dict[str, tuple[str, ...]] = {
+    "front": ("front",),
+    "behind": ("back",),
+    "left": ("left",),
+    "right": ("right",),
+    "flank": ("left", "right"),
+    "around": ("front", "back", "left", "right"),
+}
 """Sides of a thing at which floor may be said to be free, by relation."""
 
 
@@ -217,16 +224,33 @@ class About(References):
         # "1.5 m of free space beside the bed and 1.2 m in front of it"
         also = last is not None and last.relation == "cleared" and last.start >= self.began
         free = also or {word for c in ahead for word in (c.value, *c.adjectives)} & {*small.FREE, "space"}
-        its = led.det == "its"  # "1 m of clear space on its right"
-        known = led.value in (*FREED, "amid") and (its or after.kind in ("thing", "pron"))
+        its, following = led.det == "its", after.kind in ("thing", "pron")  # "1 m of clear space on its right"
+        both = bool(self.group) and led.value == "flank" and not (its or following)  # "80 cm free on both sides"
+        every = bool(self.group) and (led.value, after.value, after.det) == ("on", "side", "all")
+        known = both or every or (led.value in (*FREED, "amid") and (its or following))
         if measure.kind != "length" or not (free and known):
             return False
         self._understood(*ahead)
-        self.at += len(ahead) + 1
-        about = mentions(self._meant("it", led.value) if its else self._objects(led))
-        sides = [Place("side", (side,)) for side in FREED.get(led.value, ())]
+        self.at += len(ahead) + 1 + every
+        about = (
+            self.group[-1:] if both or every else mentions(self._meant("it", led.value) if its else self._objects(led))
+        )
+        sides = [Place("side", (side,)) for side in FREED.get("around" if every else led.value, ())]
         how, on, to = ("cleared", about, sides) if sides else ("apart", about[:1], about[1:])  # "between the two"
-        self.said.links.append(Link(how, (*on,), (*to,), chunk.start, led.end, (measure.values[0], math.inf)))
+        end = after.end if every else led.end
+        self.said.links.append(Link(how, (*on,), (*to,), chunk.start, end, (measure.values[0], math.inf)))
+        return True
+
+    def _aisles(self, chunk: Chunk, measure: Measure) -> bool:
+        """Note how far rows are apart by what is between them: "aisles 1.5 m wide", "with 2 m aisles"."""
+        rows = [link for link in self.said.links if link.relation == "rows" and link.start >= self.began]
+        here = next((c for c in (self._ahead(), self._ahead(-2)) if c.value == "aisles"), None)
+        if here is None or not rows:
+            return False
+        self._understood(here)
+        self.said.facts[:] = [fact for fact in self.said.facts if fact is not here]
+        start, end = min(chunk.start, here.start), max(chunk.end, here.end)
+        self.said.links.append(Link("apart", rows[-1].subjects, (), start, end, (measure.values[0], math.inf)))
         return True
 
     def _walls(self, subjects: list[Mention], place: Place) -> list[Mention]:

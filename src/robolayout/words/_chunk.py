@@ -23,7 +23,7 @@ WITHOUT_NOUN = re.compile(
 """Phrases that leave out their noun: what picks, how many, whether "one" stands for the noun, an adjective."""
 
 
-SOME = -1
+SOME, ROWS = -1, 3
 """Rows of which no number is said."""
 
 

@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from robolayout.words import _function_words as small
-from robolayout.words._chunk import MARKS, SOME, Chunk, without_noun
+from robolayout.words._chunk import MARKS, ROWS, SOME, Chunk, without_noun
 from robolayout.words._closed import HEAPS, ClosedWords
 from robolayout.words._lexicon import LONGEST, Noun
 from robolayout.words._tokens import VAGUE, count_of
@@ -235,7 +235,7 @@ class Chunker(ClosedWords):
             return ("", 2 * each, "vague", -each, 3)  # "clusters of four desks"
         if word.removesuffix("s") in small.SETS and not (word == "wall" and rest[1:2] and rest[1] in small.DETERMINERS):
             twos = 2 * (number or 1) if word.startswith(("pair", "couple")) else None
-            return ("", twos, "", SOME if word == "rows" and number is None else 0, 2)
+            return ("", twos, "", ROWS if word == "rows" and number is None else 0, 2)
         if word in ("both", "all"):
             return ("all", None, "", 0, 2)
         return ("one", count, "", 0, 2) if count and {*rest[1:2]} & {"the", "these", "those", "his", "her"} else None

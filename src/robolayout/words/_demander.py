@@ -5,44 +5,17 @@ from __future__ import annotations
 import math
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from itertools import pairwise
 
 from robolayout.constraints import AssetRef, PointRef, Relation, WallRef
 from robolayout.constraints.between import BetweenTwo
 from robolayout.scene import Scene
 from robolayout.words import _ways as ways_of
-from robolayout.words._places import AtPlaces, centre, rectangle, walls_meant
+from robolayout.words._places import Asked, AtPlaces, walls_meant
 from robolayout.words._rows import ToldRows, alike, in_rows, neighbours, on_a_wall
 from robolayout.words._said import Link, Mention, NamedThing, Place, mentions, named, place_in, places
 from robolayout.words.demands import Demand, by_ways, single, stated
-
-
-@dataclass(frozen=True)
-class Asked:
-    """Of which assets a relation asks something."""
-
-    subjects: Sequence[str]  # what stands so
-    groups: Sequence[Sequence[str]] = ()  # what it stands to, by the thing that was named
-    places: Sequence[Place] = ()  # the places of the room to which it leads
-
-    @property
-    def place(self) -> Place | None:
-        """The first place of the room to which it leads, if it leads to one."""
-        return self.places[0] if self.places else None
-
-    @property
-    def others(self) -> list[str]:
-        """Everything that it stands to."""
-        return [name for group in self.groups for name in group]
-
-    @property
-    def twos(self) -> list[tuple[str, str]]:
-        """Each subject with what it stands to: in equal shares where there are several."""
-        many, others = len(self.subjects), self.others
-        shares = (i * len(others) // many if many >= len(others) else i for i in range(many if others else 0))
-        twos = [(name, others[share]) for name, share in zip(self.subjects, shares, strict=False)]
-        return [(a, b) for a, b in twos if a != b]
 
 
 class Demander(AtPlaces):
@@ -72,6 +45,10 @@ class Demander(AtPlaces):
             and self._sits_behind(a, b)
             and (relation == "behind" or (hosted and ways_of.visits(self._asset(a).category)))
         }
+        # desks at which somebody looks at what is told
+        turned = {name for link, it in asked if link.relation == "facing" for name in it.subjects}
+        desks = {name for name in turned if self._is(name, ("desk",)) and not self._is(name, ("reception desk",))}
+        self.looking = self.manned | desks
         self.told = ToldRows(scene, [(link, it.subjects, it.others) for link, it in asked])
 
     def demands(self, link: Link) -> tuple[Demand, ...]:
@@ -184,6 +161,11 @@ class Demander(AtPlaces):
 
     def _apart(self, it: Asked, metres: tuple[float, float]) -> Iterator[Demand]:
         """So many metres between the edges of two things, or of a thing and a place; "at least" holds for each such place."""
+        crowd = len(it.subjects) >= ways_of.CROWD and alike(self.scene, it.subjects)
+        if not (it.groups or it.place) and (crowd or self.told.in_rows(it.subjects)):
+            rows = self.told.in_rows(it.subjects)
+            yield self.told.block(it.subjects) if rows else in_rows(it.subjects, None, gap=metres[0], aisle=metres[0])
+            return
         for a, b in it.twos if it.groups or it.place else pairwise(it.subjects):
             yield single(self._gap(a, AssetRef(b), *metres))
         for a in it.subjects:
@@ -232,14 +214,20 @@ class Demander(AtPlaces):
         ]
         yield Demand(tuple(ways))
 
-    def _behind_each(self, a: str, b: str) -> Demand:
-        """Behind a thing; who sits behind a desk sits at the side from which it is used."""
-        gap = ways_of.BACK_WALL if self._only_wall(a) else ways_of.BACK  # "on the wall behind the counter"
-        ways = [stated("behind", AssetRef(a), AssetRef(b), 0.0, gap)]
-        if self._sits_behind(a, b):
-            used = stated("in_front_of", AssetRef(a), AssetRef(b), 0.0, ways_of.BACK)
-            ways = [used] if b in self.manned else [used, *ways]
-        return single(*ways)
+    def _behind(self, it: Asked) -> Iterator[Demand]:
+        """Behind a thing; behind a desk at which somebody looks somewhere is behind who sits there, where it is used from."""
+        last: dict[str, str] = {}
+        for a, b in it.twos:
+            gap = ways_of.BACK_WALL if self._only_wall(a) else ways_of.BACK  # "on the wall behind the counter"
+            sat_on = self._is(a, ("chair", "stool")) and not self._is(a, ("armchair",))
+            past = (0.0, gap) if sat_on or self._only_wall(a) else ways_of.PAST_A_SEAT
+            back = stated("behind", AssetRef(a), AssetRef(b), 0.0, gap)
+            used = stated("in_front_of", AssetRef(a), AssetRef(b), *past)
+            seated = self._sits_behind(a, b)
+            demand = single(*([used] if b in self.looking else [used, back] if seated else [back]))
+            beside = b in last and alike(self.scene, [last[b], a])
+            yield Demand((*by_ways(ways_of.ABREAST, a, last[b]).ways, *demand.ways)) if beside else demand
+            last[b] = a
 
     def _sits_behind(self, a: str, b: str) -> bool:
         """Return whether who sits on a thing that is behind another uses that from there."""
@@ -255,11 +243,15 @@ class Demander(AtPlaces):
         watching = self._is(a, ways_of.SEATS) and self._is(b, ways_of.WATCHED) and a not in self.askew
         if relation == "front" and watching:
             return ways_of.BEFORE_WATCHED
+        if relation == "front" and self._is(a, ways_of.SEATS) and self._is(b, ("mirror",)):
+            return ways_of.BEFORE_A_MIRROR
         if relation != "front" or b not in self.manned:
             return ways_of.TO_ANOTHER[relation]
         return (ways_of.ACROSS_A_DESK[0 if self._is(a, ways_of.SEATS) else 1],)
 
     def _around_each(self, a: str, b: str) -> Demand:
+        if self._is(b, ways_of.WATCHED) and self._is(a, ways_of.SEATS):
+            return by_ways(ways_of.AROUND_WATCHED, a, b)
         gap = ways_of.NEAR if self._is(a, ("armchair", "sofa", "bag")) else ways_of.BESIDE
         near = stated("near", AssetRef(a), AssetRef(b), gap)
         turns = not self._asset(a).is_flat and self._is(a, ways_of.SEATS)
@@ -272,7 +264,8 @@ class Demander(AtPlaces):
             yield from self._facing(replace(it, groups=()))
 
     def _opposite_each(self, a: str, b: str) -> Demand:
-        return single(stated("in_front_of", AssetRef(a), AssetRef(b), 0.0, ways_of.ACROSS))
+        sat_on = self._is(a, ways_of.SEATS) and a not in self.askew
+        return by_ways(ways_of.OPPOSITE_SEATS if sat_on else ways_of.OPPOSITE, a, b)
 
     def _facing(self, it: Asked) -> Iterator[Demand]:
         """Looking at a thing, a door or a window; a desk faces what one sees who sits at it."""
@@ -281,51 +274,30 @@ class Demander(AtPlaces):
             yield Demand((tuple(stated("align_with", AssetRef(a), AssetRef(*one)) for a in subjects if a not in one),))
             subjects = one
         elif len(subjects) >= ways_of.CROWD and 0 < len(others) < len(subjects) and alike(self.scene, subjects):
-            turn = 0.0 if self._is(subjects[0], ("desk", "table")) else 180.0  # a crowd looks one way
+            turn = 180.0 - self._looks(subjects[0])[0]  # a crowd looks one way
             yield from (single(stated("align_with", AssetRef(a), AssetRef(others[0]), turn)) for a in subjects)
             return
         for i, a in enumerate(subjects):
             targets = [AssetRef(b) for b in others if b != a] if others else self._points(it.place)
             if len(others) == len(subjects):
                 targets = [AssetRef(others[i])]
-            angles = (180.0, 0.0) if self._is(a, ("desk", "table")) else (0.0,)
-            angles = angles[:1] if a in self.manned else angles
+            angles = self._looks(a)[: 1 if a in self.looking else 2]
             ways = [(stated("point_towards", AssetRef(a), b, angle),) for b in targets for angle in angles]
             if len(others) == len(subjects) > 1 and self._is(a, ways_of.SEATS) and self._is(others[i], ("mirror",)):
                 ways = [(*way, stated("in_front_of", AssetRef(a), AssetRef(others[i]), *ways_of.INTO)) for way in ways]
+            if len(others) >= ways_of.CROWD and alike(
+                self.scene, others
+            ):  # who looks at a crowd is opposite to all of it
+                turn = (180.0 + angles[0] + self._looks(others[0])[0]) % 360.0
+                ways = [(stated("align_with", AssetRef(a), AssetRef(others[0]), turn),), *ways]
+            if i and ways and not others:  # side by side before one window
+                ways = [*by_ways(ways_of.ABREAST, a, subjects[0]).ways, *ways]
             if ways:
                 yield Demand(tuple(ways))
-
-    def _turnedfrom(self, it: Asked) -> Iterator[Demand]:
-        """Looking away from a thing, a wall, a door or a window; a desk as one does who sits at it."""
-        for a in it.subjects:
-            angle = 0.0 if self._is(a, ("desk", "table")) else 180.0
-            for point in (*map(AssetRef, it.others), *self._points(it.place)):
-                yield single(stated("point_towards", AssetRef(a), point, angle))
-
-    def _diagonal(self, it: Asked) -> Iterator[Demand]:
-        """Turned by an eighth or three eighths from a wall."""
-        for a in it.subjects:
-            yield single(*(stated("align_with", AssetRef(a), WallRef(0), angle) for angle in ways_of.ASKEW))
 
     def _mirrored(self, it: Asked) -> Iterator[Demand]:
         for a, b in zip(it.subjects[::2], it.subjects[1::2], strict=False):
             yield from (single(stated("symmetric_pair", *map(AssetRef, (a, b, c)))) for c in it.others[:1])
-
-    def _lit(self, it: Asked) -> Iterator[Demand]:
-        """In daylight: not far from a window."""
-        windows = self._points(Place("window"))
-        for a in it.subjects if windows else ():
-            yield single(*(stated("near", AssetRef(a), point, ways_of.DAYLIGHT) for point in windows))
-
-    def _open(self, it: Asked) -> Iterator[Demand]:
-        """The middle of the room stays free: each thing stands in one of the four strips around it."""
-        x0, y0, x1, y1 = self.room.bounds
-        x, y = centre(self.room)
-        half = max(ways_of.LEAST_MIDDLE, ways_of.OPEN_SHARE * min(x1 - x0, y1 - y0))
-        strips = ((x0, y0, x - half, y1), (x + half, y0, x1, y1), (x0, y0, x1, y - half), (x0, y + half, x1, y1))
-        for a in it.subjects:
-            yield single(*(stated("zone", AssetRef(a), rectangle(*strip)) for strip in strips))
 
     def _row(self, it: Asked) -> Iterator[Demand]:
         """Side by side: alike things in one line, others each at a side of the one before, turned the same way."""

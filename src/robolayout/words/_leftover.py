@@ -27,7 +27,7 @@ def leftover(chunks: Sequence[Chunk], said: Parsed) -> list[Chunk]:
         kinds = {chunk.kind for chunk in clause}
         named = start if kinds & {*small.NAMING} and "pron" not in kinds else named
         refused = any(start <= at < end for _, (at, _) in said.refused)
-        refused = refused or any(start <= k.start < end for k in said.links if k.relation in ("apart", "bare", "far"))
+        refused = refused or any(start <= k.start < end for k in said.links if k.relation in small.KEPT_AWAY)
         for i, chunk in enumerate(clause):
             told = _named(chunk, said) or bool(covered.intersection(range(chunk.start, chunk.end)))
             told = told and chunk.start not in idle

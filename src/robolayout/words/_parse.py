@@ -8,10 +8,10 @@ clause before, or what stands before "with". A noun with "the" that was named be
 from __future__ import annotations
 
 from dataclasses import replace
-from itertools import dropwhile, takewhile
+from itertools import takewhile
 
 from robolayout.words import _function_words as small
-from robolayout.words._chunk import NOTHING, SOME, Chunk
+from robolayout.words._chunk import SOME, Chunk
 from robolayout.words._leftover import leftover
 from robolayout.words._lexicon import grammar
 from robolayout.words._relations import AIDS, Relating
@@ -96,7 +96,7 @@ class Parser(Relating):
     def _on_measure(self, chunk: Chunk) -> None:
         """A measure of the thing before it, where it can be one ("a desk that is 1.6 m wide"); else of the room."""
         assert chunk.measure is not None
-        if self._free_space(chunk, chunk.measure):
+        if self._free_space(chunk, chunk.measure) or self._aisles(chunk, chunk.measure):
             return
         before = self.chunks[: self.at - 1]
         while before and (before[-1].kind in ("filler", "verb", "pron", "and", "measure") or before[-1].value == "("):
@@ -150,6 +150,8 @@ class Parser(Relating):
         """Who the room is laid out for; pets of somebody who was named live there, too."""
         people = [c for c in self.said.facts if c.kind == "people" and c.start >= self.began]
         lives = people or (chunk.det == "the" and self._previous(chunk) != "for")  # "so that the cat can look out"
+        if chunk.value in small.PETS and self._previous(chunk) == "for" and self.group:
+            self.group[-1].thing.of_pet = True  # "a bed for the cat"
         self._fact(replace(chunk, kind="users") if lives and chunk.value in small.PETS else chunk)
 
     def _on_pron(self, chunk: Chunk) -> None:
@@ -347,17 +349,6 @@ class Parser(Relating):
         self._each_has(*self.every)
         self.target, self.acted = None, []
         return True
-
-    def _alone(self, mention: Mention, *, joined: bool) -> bool:
-        """Return whether a new clause begins with a thing: "..., and a rack stands at the wall"."""
-        rest = dropwhile(lambda c: c.kind in ("with", "thing", "style", "and"), self.chunks[self.at :])
-        following = next(rest, NOTHING)  # "..., and a table with a lamp stands at the wall"
-        starts = self._ahead(-2).kind in ("and", "comma")
-        plural = not joined and following.kind == "verb" and following.value in small.FINITE
-        alone = following.value in small.ALONE_DOES and (mention.thing.count == 1 if joined else starts)
-        alone = alone or (plural and starts)
-        self.subject, self.acted = ([], []) if alone else (self.subject, self.acted)
-        return alone
 
     def _put_on(self, mention: Mention, holder: Mention, *, joined: bool) -> bool:
         """Return whether what another thing has is on it or at it: what can stand nowhere else, what a table has first, seats."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 from itertools import combinations, product
 
 from robolayout.constraints import AssetRef, PointRef, WallRef
@@ -121,6 +122,33 @@ def openings(room: Room, kind: str) -> tuple[Opening, ...]:
     return room.doors if kind == "door" else room.windows
 
 
+@dataclass(frozen=True)
+class Asked:
+    """Of which assets a relation asks something."""
+
+    subjects: Sequence[str]  # what stands so
+    groups: Sequence[Sequence[str]] = ()  # what it stands to, by the thing that was named
+    places: Sequence[Place] = ()  # the places of the room to which it leads
+
+    @property
+    def place(self) -> Place | None:
+        """The first place of the room to which it leads, if it leads to one."""
+        return self.places[0] if self.places else None
+
+    @property
+    def others(self) -> list[str]:
+        """Everything that it stands to."""
+        return [name for group in self.groups for name in group]
+
+    @property
+    def twos(self) -> list[tuple[str, str]]:
+        """Each subject with what it stands to: in equal shares where there are several."""
+        many, others = len(self.subjects), self.others
+        shares = (i * len(others) // many if many >= len(others) else i for i in range(many if others else 0))
+        twos = [(name, others[share]) for name, share in zip(self.subjects, shares, strict=False)]
+        return [(a, b) for a, b in twos if a != b]
+
+
 class AtPlaces:
     """Says in which ways things can be at the places of a scene's room."""
 
@@ -135,6 +163,11 @@ class AtPlaces:
     def _is(self, name: str, words: Sequence[str]) -> bool:
         asset = self._asset(name)
         return any(text.endswith(word) for text in (asset.category, asset.like) for word in words)
+
+    def _looks(self, name: str) -> tuple[float, ...]:
+        """Return degrees from the front of a thing to where it looks, best first: who sits at a desk looks over its back."""
+        over = self._is(name, ("desk", "table")) and not self._is(name, ("reception desk",))
+        return (180.0, 0.0) if over else (0.0,)
 
     def _only_wall(self, name: str) -> bool:
         asset = self._asset(name)
@@ -224,6 +257,10 @@ class AtPlaces:
             most = max(ways_of.LEAST_MIDDLE, ways_of.MIDDLE_SHARE * min(x1 - x0, y1 - y0)) * wider
             yield (stated("distance_constraint", ref, PointRef(*centre(self.room)), None, round(most, 2)),)
         elif place.name == "side":
+            boards = [one.name for one in self.scene.assets if self._is(one.name, ways_of.BOARDS)]
+            if "front" in place.words and boards and not self._only_wall(a):  # where all look, not the wall of the door
+                yield from ((stated("in_front_of", ref, AssetRef(b), 0.0, ways_of.AT_THE_FRONT),) for b in boards)
+                return
             yield from ((stated("zone", ref, half),) for half in halves_meant(self.room, place))
 
     def _cleared(self, subjects: Sequence[str], side: str, metres: float) -> Iterator[Demand]:
@@ -325,3 +362,53 @@ class AtPlaces:
         if place.name in ("middle", "room"):
             return [PointRef(*centre(self.room))]
         return [_point(wall.midpoint) for wall in walls_meant(self.room, place)] if place.name == "wall" else []
+
+    def _turnedfrom(self, it: Asked) -> Iterator[Demand]:
+        """Looking away from a thing, a wall, a door or a window; a desk as one does who sits at it."""
+        for a in it.subjects:
+            angle = 180.0 - self._looks(a)[0]
+            for point in (*map(AssetRef, it.others), *self._points(it.place)):
+                yield single(stated("point_towards", AssetRef(a), point, angle))
+
+    def _averted(self, it: Asked) -> Iterator[Demand]:
+        """Not looking at a thing, a wall, or the wall of a door or window: turned by a right angle or two from that."""
+        for a in it.subjects:
+            looks = self._looks(a)[0]
+            yield from (
+                single(*(stated("point_towards", AssetRef(a), AssetRef(b), angle) for angle in (90.0, 180.0, 270.0)))
+                for b in it.others
+            )
+            walls = [wall for place in it.places for wall in self._walls_at(place)]
+            for wall in walls[:1]:
+                (dx, dy), (nx, ny) = wall.direction, wall.normal
+                square = {0.0: (dx, dy), 90.0: (nx, ny), 180.0: (-dx, -dy), 270.0: (-nx, -ny)}
+                to = ((angle, square[(angle + looks) % 360.0]) for angle in square)
+                free = [angle for angle, way in to if not any(_opposed(one.normal, way) for one in walls)]
+                if free:
+                    yield single(*(stated("align_with", AssetRef(a), WallRef(wall.index), angle) for angle in free))
+
+    def _walls_at(self, place: Place) -> list[Wall]:
+        """Return the walls that a place is or is in."""
+        if place.name in ("door", "window"):
+            return [self.room.walls[opening.wall] for opening in openings_meant(self.room, place)]
+        return walls_meant(self.room, place) if place.name == "wall" else []
+
+    def _diagonal(self, it: Asked) -> Iterator[Demand]:
+        """Turned by an eighth or three eighths from a wall."""
+        for a in it.subjects:
+            yield single(*(stated("align_with", AssetRef(a), WallRef(0), angle) for angle in ways_of.ASKEW))
+
+    def _lit(self, it: Asked) -> Iterator[Demand]:
+        """In daylight: not far from a window."""
+        windows = self._points(Place("window"))
+        for a in it.subjects if windows else ():
+            yield single(*(stated("near", AssetRef(a), point, ways_of.DAYLIGHT) for point in windows))
+
+    def _open(self, it: Asked) -> Iterator[Demand]:
+        """The middle of the room stays free: each thing stands in one of the four strips around it."""
+        x0, y0, x1, y1 = self.room.bounds
+        x, y = centre(self.room)
+        half = max(ways_of.LEAST_MIDDLE, ways_of.OPEN_SHARE * min(x1 - x0, y1 - y0))
+        strips = ((x0, y0, x - half, y1), (x + half, y0, x1, y1), (x0, y0, x1, y - half), (x0, y + half, x1, y1))
+        for a in it.subjects:
+            yield single(*(stated("zone", AssetRef(a), rectangle(*strip)) for strip in strips))

@@ -4,14 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from itertools import dropwhile
 
 from robolayout.words import _function_words as small
-from robolayout.words._chunk import Chunk
+from robolayout.words._chunk import NOTHING, ROWS, Chunk
 from robolayout.words._lexicon import grammar
 from robolayout.words._said import ONE_EACH, Item, Link, Mention, NamedThing, Place, mentions, named, place_in, places
 from robolayout.words._spoken import Spoken
 from robolayout.words._tokens import APART
-from robolayout.words._ways import OTHER_SIDE, SEATS, SLEPT_ON
+from robolayout.words._ways import OTHER_SIDE, SEATS, SLEPT_ON, WATCHED
 
 
 class References(Spoken):
@@ -100,7 +101,8 @@ class References(Spoken):
         bare = not chunk.det and chunk.number is None
         own = named(self.about if target else ())
         # nothing stands at itself: "a dog bed at the foot of the bed"
-        fits = [t for t in self.said.things if t.same(chunk) and (t not in own or t.same_words(chunk))]
+        other = [t for t in own if t.of_pet or not t.same_words(chunk)]
+        fits = [t for t in self.said.things if t.same(chunk) and t not in other]
         more = [t for t in fits if bare and chunk.plural and t.count == 1]  # "a high chair and chairs"
         fits = [t for t in fits if not (chunk.rows and t in more)]
         fits = [t for t in fits if t.same_words(chunk)] or [t for t in fits if t not in more]
@@ -147,6 +149,19 @@ class References(Spoken):
             return False
         return any(c.kind in ("and", "comma", "not") for c in self.chunks[first + 1 : self.at - 1])
 
+    def _alone(self, mention: Mention, *, joined: bool) -> bool:
+        """Return whether a new clause begins with a thing: "..., and a rack stands at the wall"."""
+        rest = dropwhile(lambda c: c.kind in ("with", "thing", "style", "and"), self.chunks[self.at :])
+        following = next(rest, NOTHING)  # "..., and a table with a lamp stands at the wall"
+        starts = self._ahead(-2).kind in ("and", "comma")
+        last = (*self.group[-1:], mention)  # "..., and the desk and the bed should be near the window"
+        again = [bool(one.thing.spans[1:]) for one in last] == [False, True] or not joined
+        plural = again and following.kind == "verb" and following.value in small.FINITE
+        alone = following.value in small.ALONE_DOES and (mention.thing.count == 1 if joined else starts)
+        alone = alone or (plural and starts)
+        self.subject, self.acted = ([], []) if alone else (self.subject, self.acted)
+        return alone
+
     def _number_of(self, item: Item) -> int:
         """Return how many there are of a thing, of corners or walls, of doors or windows that are asked for."""
         if isinstance(item, Mention):
@@ -161,7 +176,9 @@ class References(Spoken):
         return item.number or (corners if item.name in ("corner", "wall") else asked or usual)
 
     def _gaps(self, item: Item) -> int:
-        """Return how many gaps there are between neighbours of several things that stand in rows or along walls."""
+        """Return how many gaps there are between neighbours of several things that stand in rows, in pairs or along walls."""
+        if any(link.relation == "pairs" and named((item,)) & named(link.subjects) for link in self.said.links):
+            return max(self._number_of(item) // 2, 1)
         if isinstance(item, Place):
             return max(self._number_of(item) - 1, 1)
         at = [to for link in self.said.links if item.thing in named(link.subjects) for to in link.objects]
@@ -198,7 +215,7 @@ class References(Spoken):
     def _led_back(self, relation: str) -> Sequence[Item]:
         """Return what a relation leads to where nothing is named: "a loft bed with a desk underneath", "a bed on the left"."""
         if relation == "opposite":  # of a single seat, bed or desk: "a bed ..., a mirror on the wall opposite"
-            faced = self._last_of(("desk", *SEATS, *SLEPT_ON), named(self.about))
+            faced = self._last_of(("desk", "island", *SEATS, *SLEPT_ON, *WATCHED), named(self.about))
             return [m for m in faced if not m.several]
         if self.holder or relation not in ("left", "right"):
             return self.holder or self._meant("it", relation)
@@ -243,6 +260,8 @@ class References(Spoken):
         itself = any(a.thing is b.thing and a.pick in (None, b.pick) for a in subjects for b in mentions(led))
         if itself or (chunk.value in ("above", "behind", "opposite") and not led):
             return  # nothing stands at itself, or behind nothing
+        if chunk.value == "rows" and not chunk.rows and all(m.several and m.thing.number is None for m in subjects):
+            chunk = replace(chunk, rows=ROWS)  # "a library with bookshelves in rows"
         subjects = self._counted(chunk, subjects, objects)
         if chunk.value == "flank":
             chunk = self._on_both_sides(chunk, subjects, objects)

@@ -148,6 +148,10 @@ class Relating(About):
             return
         every = self._ahead(-2).value in small.EVERY
         subjects = self._subjects(chunk.value)
+        faced = [self.target] if chunk.value == "rows" and self.target is not None and self.target.several else []
+        subjects = (
+            subjects if any(one.several for one in subjects) else faced or subjects
+        )  # "facing chairs in two rows"
         if chunk.value == "holds":
             subjects = self._holders(subjects, every=every)
         if chunk.value == "holds" and not subjects:
@@ -281,6 +285,8 @@ class Relating(About):
         elif self.negated and subjects and (chunk.value in small.NEARNESS or (barred and place)):
             gap = Measure("apart", (KEPT_OFF, math.inf), 0, 0)
             self._link(replace(chunk, value="apart", measure=gap), subjects, objects)
+        elif self.negated and subjects and objects and chunk.value == "facing":
+            self._link(replace(chunk, value="averted"), subjects, objects)
         self.refusing = False
 
     def _keep_empty(self, chunk: Chunk, objects: Sequence[Item]) -> None:

@@ -54,6 +54,9 @@ class ToldRows:
             for name in about
         }
         told = [link for link in links if link[0].relation in ("row", "rows", "columns") and alike(scene, link[1])]
+        spaced = (link for link in links if link[0].relation == "apart" and not (link[2] or link[0].objects))
+        # how far apart rows are
+        self.aisle = {name: link.metres[0] for link, named, _ in spaced for name in named}
         # how many of each stand together, apart from the others
         shared = ((named, len(named) / max(link.rows, 1)) for link, named, _ in links if link.relation == "shares")
         each = [(named, link.rows) for link, named, _ in links if link.relation == "groups"]
@@ -78,15 +81,23 @@ class ToldRows:
     def block(self, names: Sequence[str]) -> Demand:
         """Return that such things stand in their rows."""
         turned, amid = self.turned.get(names[0], "alike"), names[0] in self.flanked
-        return in_rows(names, self.count.get(names[0]), turned, amid=amid, gap=self.gap.get(names[0], 0.0))
+        gap, aisle = self.gap.get(names[0], 0.0), self.aisle.get(names[0], 0.0)
+        return in_rows(names, self.count.get(names[0]), turned, amid=amid, gap=gap, aisle=aisle)
 
 
 def in_rows(
-    names: Sequence[str], rows: int | None, backs: str = "alike", *, amid: bool = False, gap: float = 0.0
+    names: Sequence[str],
+    rows: int | None,
+    backs: str = "alike",
+    *,
+    amid: bool = False,
+    gap: float = 0.0,
+    aisle: float = 0.0,
 ) -> Demand:
     """Return that things stand in a block of so many straight rows, any number for None; perhaps with something amid them."""
     items = tuple(AssetRef(name) for name in names)
-    apart = AISLE if amid and rows != 1 else NEAR if backs == "facing" else BESIDE
+    usual = {"facing": NEAR, "paired": BESIDE}.get(backs, 0.0)  # rows of which no more is said may stand back to back
+    apart = aisle or (AISLE if amid and rows != 1 else usual)
     return single(InRows(items, apart, gap, backs, rows))
 
 

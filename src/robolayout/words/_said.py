@@ -41,6 +41,7 @@ class NamedThing:
     definite: bool = False  # whether it was first named with "the"
     people: int = 0  # seats that its words promise ("for six")
     everyones: bool = False  # whether each of the people there has as many ("for two children with a desk each")
+    of_pet: bool = False  # whether it is said to be for one ("a bed for the cat")
     sat_at: bool = False  # whether it is said to have chairs, or these to be around it
     sizes: list[Measure] = field(default_factory=list[Measure])  # what is said of its size in figures
     told: list[str] = field(default_factory=list[str])  # words of taste that were said of it later ("the bed is brown")

@@ -5,6 +5,9 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 
+Ways = tuple[tuple[tuple[str | float, ...], ...], ...]
+"""Ways, each of statements, each with its further arguments."""
+
 BESIDE, NEAR, AT_TABLE, AT_WINDOW, AT_DOOR = 0.6, 1.2, 0.5, 0.6, 1.4
 """Metres from edge to edge that "next to", "near", "at" a thing, "at the window" and "by the door" allow (0.9 m before it stay clear)."""
 
@@ -27,12 +30,25 @@ MIDDLE_AISLE = 1.2
 AISLE = 2.0
 """Metres between two rows between which something stands and can be got to."""
 
+BOARDS = ("whiteboard", "blackboard", "projection screen")
+"""Last words of what all look at who sit in rows: there is the front of their room."""
+
+AT_THE_FRONT = 3.5
+"""Metres before a board that are the front of a room."""
+
 AHEAD, LOOKING, BACK, BACK_WALL = 1.5, 2.5, 1.2, 2.0
 """Metres from edge to edge that "in front of" allows, in front of what a seat looks at, "behind", and behind what stands free to what
 hangs on the wall."""
 
+PAST_A_SEAT = (0.7, 1.6)
+"""Metres between a desk and what is behind who sits at it, least and most."""
+
 ACROSS = 12.0
 """Metres that may lie between two things that are opposite to each other."""
+
+OPPOSITE: Ways = ((("in_front_of", 0.0, ACROSS),),)
+OPPOSITE_SEATS: Ways = tuple((*OPPOSITE[0], look) for look in (("align_with", 180.0), ("point_towards",)))
+"""Where things are that are opposite to another one, and where seats, which face it."""
 
 END_WALLS = {
     long: tuple(((side, 0.0, ACROSS),) for side in sides)
@@ -69,9 +85,6 @@ SLEPT_ON = ("bed", "crib", "cot")
 
 _BY_RIGHT_ANGLE = ((("align_with", 90.0),), (("align_with", 270.0),))
 _PARALLEL = ((("align_with", 0.0),), (("align_with", 180.0),))
-Ways = tuple[tuple[tuple[str | float, ...], ...], ...]
-"""Ways, each of statements, each with its further arguments."""
-
 AT_A_DESK: Ways = ((("in_front_of", -BESIDE, BESIDE),), (("behind", -BESIDE, BESIDE),))
 """Where seats stand that a desk or counter has."""
 
@@ -86,6 +99,15 @@ BEFORE_WATCHED: Ways = (
     (("near", LOOKING), ("align_with", 180.0)),
 )
 """Where seats stand that are in front of what is looked at: before it, or beside one that is, turned alike."""
+
+BEFORE_A_MIRROR: Ways = ((("in_front_of", *INTO), ("point_towards",)),)
+"""Where a seat stands from which one looks into a mirror."""
+
+AROUND_WATCHED: Ways = (
+    (("in_front_of", KNEES, LOOKING), ("point_towards",)),
+    (("near", LOOKING), ("point_towards",)),
+)
+"""Where seats stand that are around what is looked at: before it, or near it."""
 
 TO_ANOTHER: Mapping[str, Ways] = {
     "next": ((("near", BESIDE),),),
@@ -123,9 +145,12 @@ OTHER_SIDE = {
 AT_SIDES = frozenset(("flank", "left", "right", "next", "oneside"))
 """Relations that put a thing at a side of another one."""
 
+ABREAST: Ways = ((("next_to", "beside", AT_TABLE), ("align_with",)),)
+"""Side by side, turned alike."""
+
 IN_A_CHAIN: Mapping[str, Ways] = {
     "together": ((("near", AT_TABLE),),),
-    "abreast": ((("next_to", "beside", AT_TABLE), ("align_with",)),),  # alike things on the floor, others are together
+    "abreast": ABREAST,  # alike things on the floor, others are together
     "abreast apart": ((("near", NEAR),),),  # something stands between them
     "parallel": _PARALLEL,
     "crossed": _BY_RIGHT_ANGLE,

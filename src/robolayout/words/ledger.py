@@ -332,7 +332,8 @@ def stand_ins(scene: Scene, things: Sequence[NamedThing]) -> dict[NamedThing, tu
             if short <= 0 or (have and tier is _same_head):
                 continue
             fits = [asset for asset in free if tier(asset, thing)]
-            greedy = thing.plural and thing.number is None and thing.times == 1
+            others = any(other.noun.kind == thing.noun.kind for other in things if other is not thing)
+            greedy = thing.plural and thing.number is None and thing.times == 1 and not others
             taken = fits if greedy else fits[:short]
             free = [asset for asset in free if asset not in taken]
             found[thing] = (*have, *(asset.name for asset in taken))
@@ -341,7 +342,7 @@ def stand_ins(scene: Scene, things: Sequence[NamedThing]) -> dict[NamedThing, tu
 
 def _same_words(asset: Asset, thing: NamedThing) -> bool:
     category = singular(plain(asset.category))
-    return category in (thing.noun.words, thing.noun.said)
+    return category == thing.noun.words or (category == thing.noun.said and not thing.of_pet)
 
 
 def _same_kind(asset: Asset, thing: NamedThing) -> bool:
@@ -353,8 +354,10 @@ def _same_kind(asset: Asset, thing: NamedThing) -> bool:
 def _same_head(asset: Asset, thing: NamedThing) -> bool:
     category = singular(plain(asset.category)).split()
     said = [word for word in thing.noun.said.split() if word not in grammar().sizes]
-    if not category or len(said) != 1:
-        return bool(category) and thing.head == category[-1] and len(category) == 1
+    if thing.of_pet or not category:
+        return False
+    if len(said) != 1:
+        return thing.head == category[-1] and len(category) == 1
     return category[-1] == said[0] or KIN.get(category[-1]) == said[0]
 
 

@@ -298,14 +298,15 @@ class _Gathered:
         )
 
     def _rows(self) -> InRows | None:
-        """Return the block that it belongs to: with rows as they are demanded, as far apart as is wished."""
+        """Return the block that it belongs to: with rows as they are demanded, as far apart as is said."""
         found = sorted(self._all(InRows), key=lambda one: one[1] is None)
         looks = self._face(None) or any(w is None and isinstance(one.b, AssetRef) for one, w in self._all(AlignWith))
         told = (one.backs for one, wish in reversed(found) if wish is None or not looks)  # else all look one way
-        turned = next((backs for backs in told if backs != "alike"), "alike")
+        spaced = any(wish is None and one.backs == "alike" and one.aisle > 0 for one, wish in found)
+        turned = "alike" if spaced else next((backs for backs in told if backs != "alike"), "alike")
         said = [one for one, _ in found if one.items == found[-1][0].items]  # groups stand closer than all of them
-        gap = max((one.gap for one in said), default=0.0)
-        return replace(said[0], gap=gap, rows=said[-1].rows, backs=turned) if said else None
+        aisle, gap = (max((getattr(one, name) for one in said), default=0.0) for name in ("aisle", "gap"))
+        return replace(said[0], aisle=aisle, gap=gap, rows=said[-1].rows, backs=turned) if said else None
 
     def _all(self, kind: type[Kind]) -> Iterator[tuple[Kind, float | None]]:
         """Yield what is said with a relation, with its weight if it is a wish."""
@@ -317,9 +318,7 @@ class _Gathered:
     def _walls(self) -> Iterator[tuple[WallRef, float]]:
         """Yield the walls that are wished by name."""
         for kind in (AgainstWall, MountedOn):
-            for one, weight in self._wished(kind):
-                if one.wall is not None:
-                    yield one.wall, weight
+            yield from ((one.wall, weight) for one, weight in self._wished(kind) if one.wall is not None)
 
     def _modes(self) -> dict[str, float]:
         """Return the ways of standing by itself that are named, with weights; infinite where it is demanded."""
