@@ -185,3 +185,33 @@ def test_mats_of_a_yoga_studio_lie_beside_each_other() -> None:
     mats = of(result, "yoga_mat")
     assert len(mats) == 10
     assert min(gap(result, a, b) for a, b in combinations(mats, 2)) > 0.0
+
+
+def test_a_desk_before_the_window_that_faces_the_room_has_its_own_seat_behind_and_visitors_before_it() -> None:
+    result = made("an office with a desk in front of the window facing the room and two chairs in front of the desk")
+    assert result.report.ok
+    seat, visitors = of(result, "office_chair"), of(result, "visitor_chair")
+    assert (len(seat), len(visitors), len(of(result, "monitor"))) == (1, 2, 1)
+    assert cosine(result, "desk-0", result.layout[seat[0]].at) > 0.7
+    assert max(cosine(result, "desk-0", result.layout[name].at) for name in visitors) < -0.7
+
+
+def test_each_pair_that_faces_each_other_has_its_table_between() -> None:
+    result = made("a hotel lobby with three pairs of armchairs, each pair facing each other across a small table")
+    assert result.report.ok
+    seats, tables = of(result, "armchair"), of(result, "side_table")
+    assert len(tables) == 3
+    for one, other, table in zip(seats[::2], seats[1::2], tables, strict=False):
+        (x0, y0), (x1, y1), (x, y) = (result.layout[name].at for name in (one, other, table))
+        assert math.dist((x, y), ((x0 + x1) / 2, (y0 + y1) / 2)) < 0.35
+
+
+def test_racks_with_an_aisle_between_them_face_each_other_across_it() -> None:
+    result = made("a server room with two rows of four racks facing each other with a 1.2 m aisle between them")
+    assert result.report.ok
+    racks = of(result, "shelving_unit")
+    across = [result.layout[racks[0]].seen(result.layout[name].at)[0] for name in racks]
+    apart = [abs(x) - result.scene.by_name[racks[0]].size[0] for x in across if abs(x) > 0.1]
+    assert len(apart) == 4
+    assert min(apart) > 1.15
+    assert {round(math.cos(result.layout[a].yaw - result.layout[racks[0]].yaw)) for a in racks} == {1, -1}

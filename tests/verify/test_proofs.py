@@ -8,7 +8,7 @@ from dataclasses import replace
 import pytest
 from verify_rooms import DISC, DOOR, furnished, on_floor, square, thing
 
-from robolayout import generate
+from robolayout import generate, load_agent, load_scene
 from robolayout._errors import SceneError
 from robolayout.scene import Layout, Opening, Room, Scene
 from robolayout.verify import navigation, usage, verify
@@ -97,6 +97,16 @@ def test_what_ends_below_reach_on_the_floor_need_not_be_used():
     movable = thing("book-0", (0.2, 0.2, 0.1), on_object=True)
     scene = Scene(square(), (BOX, low, movable))
     assert exempt_from_use(scene, ARM) == {"low-0": "low-0 ends 0.30 m high and arm reaches down to 0.40 m"}
+
+
+@pytest.mark.parametrize("body", ["child_6", "wheelchair", "turtlebot4"])
+def test_a_report_excuses_what_is_excused_in_any_layout(body: str):
+    result = generate(load_scene("examples/bedroom.json").with_agents(load_agent(body)))
+    (report,) = result.report.agents
+    assert dict(report.exempt) == exempt_from_use(result.scene, report.agent)
+    asked = result.scene.by_name.keys() - report.exempt.keys()
+    reached, usable = report.navigation.reached, report.usage.usable
+    assert set(report.short) == {name for name in asked if not (reached[name] and usable[name])}
 
 
 def test_a_body_wider_or_higher_than_the_door_or_the_room():

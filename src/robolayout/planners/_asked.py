@@ -214,6 +214,8 @@ def _chains(
         held = a in subjects(other for other in demands if other is not demand)
         gap = max(GAPS.across, (top.asset.size[0] if top is not None else 0.0) + 2 * GAPS.before)
         yield a, (b, Join("front", (), gap=gap, loose=held, faces="anchor", say=usual_say("front")))
+        if top is not None and top.join.slot == "beside":  # a side table, here between the two
+            yield top.name, (b, Join("front", (), gap=GAPS.before, loose=True, faces="anchor", say=usual_say("front")))
 
 
 def _before_both(cast: Mapping[str, Cast], a: str, b: str) -> Cast | None:

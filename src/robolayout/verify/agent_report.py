@@ -12,7 +12,15 @@ from robolayout.scene import Agent, Layout, Pose, Scene
 from robolayout.verify.heading import Drive, HeadingSpace, entry, find_drives
 from robolayout.verify.limits import Demands
 from robolayout.verify.navigation import Navigation, blocked_sentence, navigation, shut_sentence, unreached_sentence
-from robolayout.verify.proofs import Remedies, exempt_from_reach, exempt_from_use, impossible, kept_out, remedies
+from robolayout.verify.proofs import (
+    Remedies,
+    exempt_from_reach,
+    exempt_from_use,
+    impossible,
+    kept_out,
+    remedies,
+    why_unused,
+)
 from robolayout.verify.use import Usage, usage
 
 
@@ -33,7 +41,8 @@ class AgentReport:
     @cached_property
     def exempt(self) -> Mapping[str, str]:
         """Assets that this body is not asked to use (the figures still count them), and why."""
-        return exempt_from_use(self.navigation.scene, self.agent)
+        used = {name for name, usable in self.usage.usable.items() if usable}
+        return exempt_from_use(self.navigation.scene, self.agent, used)
 
     @cached_property
     def short(self) -> tuple[str, ...]:
@@ -43,8 +52,12 @@ class AgentReport:
     def lacking(self, usable: Mapping[str, bool]) -> tuple[str, ...]:
         """Return the names of assets that it is asked to reach and use and does not, if it uses these."""
         scene, reached = self.navigation.scene, self.navigation.reached
-        reach, use = exempt_from_reach(scene, self.agent), self.exempt
-        return tuple(n for n in reached if not (reached[n] or n in reach) or not (usable[n] or n in use))
+        aside = exempt_from_reach(scene, self.agent)
+
+        def used(name: str) -> bool:
+            return reached[name] and (usable[name] or bool(why_unused(scene.by_name[name], self.agent)))
+
+        return tuple(name for name in reached if name not in aside and not used(name))
 
     @cached_property
     def impossible(self) -> tuple[str, ...]:

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import itertools
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Container, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import lru_cache
 
@@ -79,28 +79,36 @@ def exempt_from_reach(scene: Scene, agent: Agent) -> dict[str, str]:
     }
 
 
-def exempt_from_use(scene: Scene, agent: Agent) -> dict[str, str]:
+def exempt_from_use(scene: Scene, agent: Agent, used: Container[str] = ()) -> dict[str, str]:
     """Return which assets a body is not asked to use, in any layout, and why.
 
     Those it is not asked to reach, and what can only stand on the floor and ends below the heights that its arm gets to, or
     cannot be used even in an empty room.
+
+    Args:
+        scene: The scene.
+        agent: The body.
+        used: Names of what it uses in some layout, so that it can in an empty room.
     """
     lying = exempt_from_reach(scene, agent)
-    if agent.reach_distance is None:
-        return lying
+    asked = [asset for asset in scene.assets if asset.name not in lying]
+    return lying | {asset.name: why for asset in asked if (why := why_unused(asset, agent, used=asset.name in used))}
+
+
+def why_unused(asset: Asset, agent: Agent, *, used: bool = False) -> str:
+    """Return why a body that is asked to reach an asset is not asked to use it; empty where it is. See `exempt_from_use`."""
+    hung = not asset.on_floor or asset.on_wall or asset.on_object or asset.is_flat
+    if agent.reach_distance is None or hung:
+        return ""
     down_to = agent.reach_low
     if agent.shoulder_height is not None:
         down_to = max(down_to, agent.shoulder_height - agent.reach)
-    aside = dict(lying)
-    for asset in scene.assets:
-        if asset.name in lying or not asset.on_floor or asset.on_wall or asset.on_object or asset.is_flat:
-            continue
-        if asset.size[2] < down_to - ROUNDING:
-            ends = f"{asset.name} ends {asset.size[2]:.2f} m high"
-            aside[asset.name] = f"{ends} and {agent.name} reaches down to {down_to:.2f} m"
-        elif why := _reason_alone(replace(asset, name="it", description=""), replace(agent, turning_radius=None)):
-            aside[asset.name] = f"{asset.name} cannot be used by {agent.name} in an empty room: {why}"
-    return aside
+    if asset.size[2] < down_to - ROUNDING:
+        return f"{asset.name} ends {asset.size[2]:.2f} m high and {agent.name} reaches down to {down_to:.2f} m"
+    if used:
+        return ""
+    why = _reason_alone(replace(asset, name="it", description=""), replace(agent, turning_radius=None))
+    return f"{asset.name} cannot be used by {agent.name} in an empty room: {why}" if why else ""
 
 
 def kept_out(scene: Scene, agent: Agent) -> tuple[str, ...]:

@@ -223,7 +223,10 @@ class About(References):
         last = self.said.links[-1] if self.said.links else None
         # "1.5 m of free space beside the bed and 1.2 m in front of it"
         also = last is not None and last.relation == "cleared" and last.start >= self.began
-        free = also or {word for c in ahead for word in (c.value, *c.adjectives)} & {*small.FREE, "space"}
+        told = {word for c in ahead for word in (c.value, *c.adjectives)} & {*small.FREE, "space"}
+        free = (
+            also or told or (led.value == "flank" and self._ahead(-2).kind == "with")
+        )  # "with 90 cm on each side of the bed"
         its, following = led.det == "its", after.kind in ("thing", "pron")  # "1 m of clear space on its right"
         both = bool(self.group) and led.value == "flank" and not (its or following)  # "80 cm free on both sides"
         every = bool(self.group) and (led.value, after.value, after.det) == ("on", "side", "all")
@@ -244,10 +247,17 @@ class About(References):
     def _aisles(self, chunk: Chunk, measure: Measure) -> bool:
         """Note how far rows are apart by what is between them: "aisles 1.5 m wide", "with 2 m aisles"."""
         rows = [link for link in self.said.links if link.relation == "rows" and link.start >= self.began]
-        here = next((c for c in (self._ahead(), self._ahead(-2)) if c.value == "aisles"), None)
-        if here is None or not rows:
+        follows = self._ahead().value in ("aisle", "aisles")
+        amid = follows and (self._ahead(1).value, self._ahead(2).kind) == (
+            "amid",
+            "pron",
+        )  # "a 1.2 m aisle between them"
+        here = self._ahead(0 if follows else -2)
+        if not rows or not (here.value == "aisles" or amid):
             return False
-        self._understood(here)
+        led = self.chunks[self.at : self.at + (3 if amid else follows)]
+        self._understood(here, *led)
+        self.at += len(led)
         self.said.facts[:] = [fact for fact in self.said.facts if fact is not here]
         start, end = min(chunk.start, here.start), max(chunk.end, here.end)
         self.said.links.append(Link("apart", rows[-1].subjects, (), start, end, (measure.values[0], math.inf)))

@@ -45,10 +45,14 @@ class Demander(AtPlaces):
             and self._sits_behind(a, b)
             and (relation == "behind" or (hosted and ways_of.visits(self._asset(a).category)))
         }
-        # desks at which somebody looks at what is told
-        turned = {name for link, it in asked if link.relation == "facing" for name in it.subjects}
-        desks = {name for name in turned if self._is(name, ("desk",)) and not self._is(name, ("reception desk",))}
-        self.looking = self.manned | desks
+        # desks at which somebody looks at what is told; of these, those that look at who comes in
+        turned = [(name, it.place) for link, it in asked if link.relation == "facing" for name in it.subjects]
+        turned = [(name, at) for name, at in turned if self._looks(name)[1:] and self._is(name, ("desk",))]
+        self.looking = self.manned.union(name for name, _ in turned)
+        self.manned |= {name for name, at in turned if at is not None and at.name in ("room", "door")}
+        # metres that things take that stand between others
+        amid = [it for link, it in asked if link.relation == "amid"]
+        self.between = {b: max(self._asset(a).size[:2]) for it in amid for a in it.subjects for b in it.others}
         self.told = ToldRows(scene, [(link, it.subjects, it.others) for link, it in asked])
 
     def demands(self, link: Link) -> tuple[Demand, ...]:
@@ -127,7 +131,8 @@ class Demander(AtPlaces):
         for a, b in zip(it.subjects[::2], it.subjects[1::2], strict=False):
             demand, seated = by_ways(ways, b, a), relation == "mutual" and self._is(a, ways_of.SEATS)
             deep = sum(self._asset(name).size[0] for name in (a, b)) / 2  # their fronts are the sides that meet
-            knees = stated("distance_constraint", AssetRef(b), AssetRef(a), round(ways_of.KNEES + deep, 3))
+            least = ways_of.KNEES + deep + self.between.get(a, 0.0)
+            knees = stated("distance_constraint", AssetRef(b), AssetRef(a), round(least, 3))
             yield Demand(tuple((*way, knees) for way in demand.ways) if seated else demand.ways)
 
     def _on_each(self, a: str, b: str) -> Demand:

@@ -9,7 +9,7 @@ from robolayout.assets import CATALOGUE
 from robolayout.assets.lexicon import phrase_index
 from robolayout.scene import FLAT_HEIGHT
 from robolayout.words import _function_words as small
-from robolayout.words._said import Link, NamedThing, Parsed, Place, mentions
+from robolayout.words._said import Link, NamedThing, Parsed, Place, mentions, place_in
 from robolayout.words._ways import AT_SIDES, BEARING, SEATS, TOPS
 
 WATCHING = ("front", "facing", "opposite", "around")
@@ -26,6 +26,7 @@ def settle_kinds(parsed: Parsed) -> None:
                 mention.thing.sat_at = True
     music = bool({thing.noun.kind for thing in parsed.things} & small.INSTRUMENTS) and not heads & {"desk", "computer"}
     _settle_by_company(parsed, heads)
+    _settle_visitors(parsed)
     for thing in parsed.things:
         if thing.noun.said == "table" and {"small", "little"} & {*thing.adjectives}:  # "a small wooden table"
             thing.adjectives = tuple(word for word in thing.adjectives if word not in ("small", "little"))
@@ -63,6 +64,16 @@ def _settle_by_company(parsed: Parsed, heads: Set[str]) -> None:
         elif thing.noun.said in small.OF_PETS and (pets or thing.of_pet):
             _take(thing, f"pet {thing.noun.said}")
             thing.of_pet = True
+
+
+def _settle_visitors(parsed: Parsed) -> None:
+    """Take chairs before a desk that faces the room or its door for those of visitors."""
+    facing = [link for link in parsed.links if link.relation == "facing" and place_in(link.objects, "room", "door")]
+    hosts = {one.thing for link in facing for one in link.subjects if one.thing.head == "desk"}
+    for link in parsed.links:
+        if link.relation == "front" and hosts & {one.thing for one in mentions(link.objects)}:
+            for thing in (one.thing for one in link.subjects if one.thing.noun.said == "chair"):
+                thing.noun = replace(thing.noun, words="visitor chair", said="visitor chair", others=())
 
 
 def _take(thing: NamedThing, kind: str) -> None:

@@ -186,6 +186,12 @@ class Relating(About):
         self.said.links.append(Link("columns", tuple(self.group[-1:]), (), chunk.start, chunk.end, width, rows=2))
         return True
 
+    def _one_for_each_pair(self, between: Sequence[Mention], pairs: int) -> None:
+        """Note that there are as many things as pairs, if that is said: "each pair facing each other across a small table"."""
+        if any(chunk.value == "each pair" and chunk.start >= self.began for chunk in self.chunks[: self.at]):
+            for mention in between:
+                mention.thing.times = pairs
+
     def _of_a_place(self, chunk: Chunk, first: int) -> bool:
         """Note what is at a place of which that is said: "a window above the sink", "the walls are lined with bookshelves"."""
         while first > 0 and self.chunks[first].kind in ("verb", "filler", "style"):
@@ -222,6 +228,7 @@ class Relating(About):
         if "across" in chunk.adjectives and last is not None and (last.relation, last.end) == ("mutual", chunk.start):
             chunk = replace(chunk, value="amid")  # "two sofas facing each other across a table"
             subjects, objects = mentions(objects), list(last.subjects)
+            self._one_for_each_pair(subjects, last.subjects[0].thing.count // 2)
         if chunk.value == "between":  # "1 m between the bed and the wardrobe"
             chunk, subjects = replace(chunk, value="apart"), mentions(objects)[:1]
             objects = [item for item in objects if item not in subjects]
@@ -285,7 +292,7 @@ class Relating(About):
         elif self.negated and subjects and (chunk.value in small.NEARNESS or (barred and place)):
             gap = Measure("apart", (KEPT_OFF, math.inf), 0, 0)
             self._link(replace(chunk, value="apart", measure=gap), subjects, objects)
-        elif self.negated and subjects and objects and chunk.value == "facing":
+        elif self.negated and subjects and objects and chunk.value in ("facing", "opposite"):
             self._link(replace(chunk, value="averted"), subjects, objects)
         self.refusing = False
 
