@@ -194,7 +194,7 @@ def test_a_block_is_built_although_one_of_it_is_asked_to_be_elsewhere() -> None:
 def test_rows_of_four_and_two_are_no_two_rows_of_three() -> None:
     scene = Scene(ROOM, SEATS)
     (asked,) = read_program(BLOCK.splitlines()[1], scene).statements
-    places = [(1.0 + 1.2 * (i // columns), 0.6 + i % columns) for columns in (3, 4) for i in range(6)]
+    places = [(1.0 + 1.6 * (i // columns), 0.6 + i % columns) for columns in (3, 4) for i in range(6)]
     even, uneven = (
         Layout({seat.name: Pose(x, y, 0.5, 0.0) for seat, (x, y) in zip(SEATS, some, strict=True)})
         for some in (places[:6], places[6:])

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 
@@ -34,19 +35,29 @@ class InRows(Relation):
         return ""
 
     def terms(self, scene: Scene, near: Layout) -> tuple[Term, ...]:
-        """Return one row for each but the first: on the first one's line, or at its place beside the nearest line."""
+        """Return one row for each but the first: where it is in the line that it is near, as far from the next as is asked."""
         first, here = self.items[0], frame(scene, near, self.items[0])
-        step = scene.by_name[first.name].size[0] / 2
+        depth, width, _ = scene.by_name[first.name].size
+        seen = {item: here.seen(near[item.name].at) for item in self.items}
+        ahead = {item: math.cos(near[item.name].yaw - here.yaw) > 0 for item in self.items}
+        lines: list[list[AssetRef]] = []
+        for item in sorted(self.items, key=lambda one: seen[one]):
+            if not lines or seen[item][0] - seen[lines[-1][0]][0] >= depth / 2:
+                lines.append([])
+            lines[-1].append(item)
+        base = next(k for k, line in enumerate(lines) if first in line)
+        close = [self.backs != "alike" and not ahead[a[0]] and ahead[b[0]] for a, b in pairwise(lines)]
+        middles = [0.0 if k == base else seen[line[len(line) // 2]][0] for k, line in enumerate(lines)]
+        along = _spread(middles, [depth + self.aisle * (not backs) for backs in close], base)
         rows: list[Term] = []
-        for item in self.items[1:]:
-            u, v = here.seen(near[item.name].at)
-            along = 0.0 if abs(u) < step else u
-            turned = math.pi if math.cos(near[item.name].yaw - here.yaw) < 0 else 0.0
-            rows.append(
-                FrameTerm(
-                    item, first, along=Interval(along, along), across=Interval(v, v), heading=turned, moves="both"
-                )
-            )
+        for u, line in zip(along, lines, strict=True):
+            line.sort(key=lambda one: seen[one][1])
+            fixed = line.index(first) if first in line else len(line) // 2
+            across = _spread([seen[one][1] for one in line], [width + self.gap] * (len(line) - 1), fixed)
+            for item, v in zip(line, across, strict=True):
+                turned = 0.0 if ahead[item] else math.pi
+                term = FrameTerm(item, first, along=Interval(u, u), across=Interval(v, v), heading=turned, moves="both")
+                rows += [term] if item != first else []
         return tuple(rows)
 
     def check(self, scene: Scene, layout: Layout) -> Outcome:
@@ -84,3 +95,13 @@ class InRows(Relation):
         text = f"{len(lines)} rows of at most {longest}, up to {off:.2f} m out of line, {turned:.0f} deg off"
         text += f", {min(aisles):.2f} m apart" if aisles else ""
         return Outcome(met, max(off, close), 2 * TOLERANCE.gap, "m", text)
+
+
+def _spread(places: Sequence[float], apart: Sequence[float], fixed: int) -> list[float]:
+    """Return places in order, each at least so far from the next, the one that is fixed where it is."""
+    found = list(places)
+    for k in range(fixed + 1, len(found)):
+        found[k] = max(found[k], found[k - 1] + apart[k - 1])
+    for k in range(fixed - 1, -1, -1):
+        found[k] = min(found[k], found[k + 1] - apart[k])
+    return found

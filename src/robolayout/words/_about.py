@@ -224,9 +224,8 @@ class About(References):
         # "1.5 m of free space beside the bed and 1.2 m in front of it"
         also = last is not None and last.relation == "cleared" and last.start >= self.began
         told = {word for c in ahead for word in (c.value, *c.adjectives)} & {*small.FREE, "space"}
-        free = (
-            also or told or (led.value == "flank" and self._ahead(-2).kind == "with")
-        )  # "with 90 cm on each side of the bed"
+        # "with 90 cm on each side of the bed"
+        free = also or told or (led.value == "flank" and self._ahead(-2).kind == "with")
         its, following = led.det == "its", after.kind in ("thing", "pron")  # "1 m of clear space on its right"
         both = bool(self.group) and led.value == "flank" and not (its or following)  # "80 cm free on both sides"
         every = bool(self.group) and (led.value, after.value, after.det) == ("on", "side", "all")
@@ -235,9 +234,8 @@ class About(References):
             return False
         self._understood(*ahead)
         self.at += len(ahead) + 1 + every
-        about = (
-            self.group[-1:] if both or every else mentions(self._meant("it", led.value) if its else self._objects(led))
-        )
+        whose = self.group[-1:] if both or every else self._meant("it", led.value) if its else self._objects(led)
+        about = mentions(whose)
         sides = [Place("side", (side,)) for side in FREED.get("around" if every else led.value, ())]
         how, on, to = ("cleared", about, sides) if sides else ("apart", about[:1], about[1:])  # "between the two"
         end = after.end if every else led.end
@@ -248,10 +246,8 @@ class About(References):
         """Note how far rows are apart by what is between them: "aisles 1.5 m wide", "with 2 m aisles"."""
         rows = [link for link in self.said.links if link.relation == "rows" and link.start >= self.began]
         follows = self._ahead().value in ("aisle", "aisles")
-        amid = follows and (self._ahead(1).value, self._ahead(2).kind) == (
-            "amid",
-            "pron",
-        )  # "a 1.2 m aisle between them"
+        # "a 1.2 m aisle between them"
+        amid = follows and (self._ahead(1).value, self._ahead(2).kind) == ("amid", "pron")
         here = self._ahead(0 if follows else -2)
         if not rows or not (here.value == "aisles" or amid):
             return False
@@ -296,7 +292,9 @@ class About(References):
         following = self._ahead().value
         noun = self.target.thing.noun if self.target is not None else None
         hung = noun is not None and any("wall" in kind.places for kind in noun.categories)
+        several = self.target is not None and self.target.several and not any(one.several for one in self.group)
         told = relation in ("by", "next", "near", "holds", *(("on", "wall") if following == "wall" and hung else ()))
+        told = told or (relation == "rows" and several)  # "a lectern facing chairs in two rows"
         last = self.group[-1:] or list(self.subject or ([self.target] if self.target is not None else []))
         does = {*self._ahead(-1).adjectives} & small.PLURAL_DOES and not self.relative  # "a sofa and a chair face it"
         if len(self.group) > 1 and (does or self._shared(relation)):

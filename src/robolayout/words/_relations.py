@@ -148,10 +148,6 @@ class Relating(About):
             return
         every = self._ahead(-2).value in small.EVERY
         subjects = self._subjects(chunk.value)
-        faced = [self.target] if chunk.value == "rows" and self.target is not None and self.target.several else []
-        subjects = (
-            subjects if any(one.several for one in subjects) else faced or subjects
-        )  # "facing chairs in two rows"
         if chunk.value == "holds":
             subjects = self._holders(subjects, every=every)
         if chunk.value == "holds" and not subjects:
