@@ -290,9 +290,8 @@ class Demander(AtPlaces):
             ways = [(stated("point_towards", AssetRef(a), b, angle),) for b in targets for angle in angles]
             if len(others) == len(subjects) > 1 and self._is(a, ways_of.SEATS) and self._is(others[i], ("mirror",)):
                 ways = [(*way, stated("in_front_of", AssetRef(a), AssetRef(others[i]), *ways_of.INTO)) for way in ways]
-            if len(others) >= ways_of.CROWD and alike(
-                self.scene, others
-            ):  # who looks at a crowd is opposite to all of it
+            if len(others) >= ways_of.CROWD and alike(self.scene, others):
+                # who looks at a crowd is opposite to all of it
                 turn = (180.0 + angles[0] + self._looks(others[0])[0]) % 360.0
                 ways = [(stated("align_with", AssetRef(a), AssetRef(others[0]), turn),), *ways]
             if i and ways and not others:  # side by side before one window

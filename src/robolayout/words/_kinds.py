@@ -49,15 +49,14 @@ def settle_kinds(parsed: Parsed) -> None:
 def _settle_by_company(parsed: Parsed, heads: Set[str]) -> None:
     """Take stools for high ones where there is a bar and no table, the double sink of a bathroom for a vanity, a cat's bed for one."""
     rooms = {chunk.value for chunk in parsed.facts if chunk.kind == "room"}
-    bathroom, bedroom = "bathroom" in rooms, any(room.endswith("room") for room in rooms)
     lives = {(chunk.kind, chunk.value) for chunk in parsed.facts if chunk.kind in ("body", "people")}
-    pets = bool(lives) and not bedroom and all(kind == "body" and body in small.PETS for kind, body in lives)
+    pets = bool(lives) and not rooms and all(kind == "body" and body in small.PETS for kind, body in lives)
     kinds = {thing.noun.kind for thing in parsed.things}
     bar = kinds & {"kitchen island", "bar counter"} and not heads & {"table", "desk", "piano", "bench"}
     for thing in parsed.things:
         if thing.noun.words == "stool" and bar:
             _take(thing, "bar stool")
-        elif thing.noun.kind == "kitchen sink" and bathroom:
+        elif thing.noun.kind == "kitchen sink" and "bathroom" in rooms:
             _take(thing, "bathroom vanity")
         elif meant := small.OF_ROOMS.get(thing.noun.said, {}).keys() & rooms:
             _take(thing, small.OF_ROOMS[thing.noun.said][min(meant)])

@@ -150,8 +150,8 @@ class Parser(Relating):
         """Who the room is laid out for; pets of somebody who was named live there, too."""
         people = [c for c in self.said.facts if c.kind == "people" and c.start >= self.began]
         lives = people or (chunk.det == "the" and self._previous(chunk) != "for")  # "so that the cat can look out"
-        if chunk.value in small.PETS and self._previous(chunk) == "for" and self.group:
-            self.group[-1].thing.of_pet = True  # "a bed for the cat"
+        if chunk.value in small.PETS and self._previous(chunk) == "for" and self.group:  # "a bed for the cat"
+            self.group[-1].thing.of_pet = self.group[-1].thing.noun.said in small.OF_PETS
         self._fact(replace(chunk, kind="users") if lives and chunk.value in small.PETS else chunk)
 
     def _on_pron(self, chunk: Chunk) -> None:
