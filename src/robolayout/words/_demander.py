@@ -52,7 +52,7 @@ class Demander(AtPlaces):
         self.manned |= {name for name, at in turned if at is not None and at.name in ("room", "door")}
         # metres that things take that stand between others
         amid = [it for link, it in asked if link.relation == "amid"]
-        self.between = {b: max(self._asset(a).size[:2]) for it in amid for a in it.subjects for b in it.others}
+        self.between = {b: min(self._asset(a).size[:2]) for it in amid for a in it.subjects for b in it.others}
         self.told = ToldRows(scene, [(link, it.subjects, it.others) for link, it in asked])
 
     def demands(self, link: Link) -> tuple[Demand, ...]:
