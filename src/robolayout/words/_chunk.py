@@ -24,7 +24,7 @@ WITHOUT_NOUN = re.compile(
 
 
 SOME, ROWS = -1, 3
-"""Rows of which no number is said."""
+"""Rows that are not counted, where their things are, and how many there are where neither is."""
 
 
 @dataclass(frozen=True)

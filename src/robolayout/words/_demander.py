@@ -166,10 +166,12 @@ class Demander(AtPlaces):
 
     def _apart(self, it: Asked, metres: tuple[float, float]) -> Iterator[Demand]:
         """So many metres between the edges of two things, or of a thing and a place; "at least" holds for each such place."""
-        crowd = len(it.subjects) >= ways_of.CROWD and alike(self.scene, it.subjects)
-        if not (it.groups or it.place) and (crowd or self.told.in_rows(it.subjects)):
-            rows = self.told.in_rows(it.subjects)
-            yield self.told.block(it.subjects) if rows else in_rows(it.subjects, None, gap=metres[0], aisle=metres[0])
+        by_themselves = not (it.groups or it.place)
+        if by_themselves and self.told.in_rows(it.subjects):
+            yield self.told.block(it.subjects)
+            return
+        if by_themselves and len(it.subjects) >= ways_of.CROWD and alike(self.scene, it.subjects):
+            yield in_rows(it.subjects, None, gap=metres[0], aisle=metres[0])
             return
         for a, b in it.twos if it.groups or it.place else pairwise(it.subjects):
             yield single(self._gap(a, AssetRef(b), *metres))
@@ -248,11 +250,14 @@ class Demander(AtPlaces):
         watching = self._is(a, ways_of.SEATS) and self._is(b, ways_of.WATCHED) and a not in self.askew
         if relation == "front" and watching:
             return ways_of.BEFORE_WATCHED
-        if relation == "front" and self._is(a, ways_of.SEATS) and self._is(b, ("mirror",)):
+        if relation == "front" and self._into_a_mirror(a, b):
             return ways_of.BEFORE_A_MIRROR
         if relation != "front" or b not in self.manned:
             return ways_of.TO_ANOTHER[relation]
         return (ways_of.ACROSS_A_DESK[0 if self._is(a, ways_of.SEATS) else 1],)
+
+    def _into_a_mirror(self, a: str, b: str) -> bool:
+        return self._is(a, ways_of.SEATS) and self._is(b, ("mirror",))
 
     def _around_each(self, a: str, b: str) -> Demand:
         if self._is(b, ways_of.WATCHED) and self._is(a, ways_of.SEATS):
@@ -288,8 +293,8 @@ class Demander(AtPlaces):
                 targets = [AssetRef(others[i])]
             angles = self._looks(a)[: 1 if a in self.looking else 2]
             ways = [(stated("point_towards", AssetRef(a), b, angle),) for b in targets for angle in angles]
-            if len(others) == len(subjects) > 1 and self._is(a, ways_of.SEATS) and self._is(others[i], ("mirror",)):
-                ways = [(*way, stated("in_front_of", AssetRef(a), AssetRef(others[i]), *ways_of.INTO)) for way in ways]
+            if len(others) == len(subjects) > 1 and self._into_a_mirror(a, others[i]):
+                ways = [*by_ways(ways_of.BEFORE_A_MIRROR, a, others[i]).ways]
             if len(others) >= ways_of.CROWD and alike(self.scene, others):
                 # who looks at a crowd is opposite to all of it
                 turn = (180.0 + angles[0] + self._looks(others[0])[0]) % 360.0

@@ -85,6 +85,7 @@ SLEPT_ON = ("bed", "crib", "cot")
 
 _BY_RIGHT_ANGLE = ((("align_with", 90.0),), (("align_with", 270.0),))
 _PARALLEL = ((("align_with", 0.0),), (("align_with", 180.0),))
+
 AT_A_DESK: Ways = ((("in_front_of", -BESIDE, BESIDE),), (("behind", -BESIDE, BESIDE),))
 """Where seats stand that a desk or counter has."""
 
@@ -100,7 +101,7 @@ BEFORE_WATCHED: Ways = (
 )
 """Where seats stand that are in front of what is looked at: before it, or beside one that is, turned alike."""
 
-BEFORE_A_MIRROR: Ways = ((("in_front_of", *INTO), ("point_towards",)),)
+BEFORE_A_MIRROR: Ways = ((("point_towards",), ("in_front_of", *INTO)),)
 """Where a seat stands from which one looks into a mirror."""
 
 AROUND_WATCHED: Ways = (
