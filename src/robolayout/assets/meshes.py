@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
+
 from robolayout.assets.category import CATALOGUE, Category
 from robolayout.assets.drawing import PartDrawing
 from robolayout.assets.fronts import hollowed
@@ -27,12 +29,19 @@ def parts(asset: Asset, seed: int = 0, *, shut: bool = False) -> tuple[Part, ...
         from robolayout.assets.own import load_mesh_parts
 
         return load_mesh_parts(asset.path, asset.size, up=said.get("up"), front=said.get("front"))
-    category = category_of(asset)
-    piece = make_piece(category.name, asset.variable or asset.name, asset.name, asset.size, seed, said.get("look", ""))
-    build = read_rows(asset.parts, f"asset {asset.name!r}") if asset.parts else builder_for(category)
-    made = jointed(fit(build(piece), asset.size), joints_of(category), asset.size)
-    made = made if shut else hollowed(made)
+    made = _drawn(asset, seed, said.get("look", ""), shut)
     return tuple(part for part in made if part.name not in asset.without) if asset.without else made
+
+
+@lru_cache(maxsize=512)  # of a room of some hundred things; prisms, surfaces, doors and pictures all ask for them
+def _drawn(asset: Asset, seed: int, look: str, shut: bool) -> tuple[Part, ...]:
+    """Return the parts of an asset without a mesh of its own."""
+    if not shut:
+        return hollowed(_drawn(asset, seed, look, shut=True))
+    category = category_of(asset)
+    piece = make_piece(category.name, asset.variable or asset.name, asset.name, asset.size, seed, look)
+    build = read_rows(asset.parts, f"asset {asset.name!r}") if asset.parts else builder_for(category)
+    return jointed(fit(build(piece), asset.size), joints_of(category), asset.size)
 
 
 def joints_of(category: Category) -> tuple[JointRule, ...]:

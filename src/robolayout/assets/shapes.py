@@ -137,19 +137,39 @@ def _unit_ball(rings: int, sides: int) -> tuple[Array, Faces]:
         rows += [(math.sin(level) * math.cos(a), math.sin(level) * math.sin(a), -math.cos(level)) for a in around]
     points = np.array([*rows, (0.0, 0.0, 1.0)])
     points /= np.abs(points).max(axis=0)
-    return points, wrapped(points)
+    ends = [(0, 1 + i, 1 + (i + 1) % sides) for i in range(sides)]
+    ends += [(len(points) - 1 - a, len(points) - 1 - b, len(points) - 1 - c) for a, b, c in ends]
+    walls = [_drum_faces(sides)[: 2 * sides] + 1 + ring * sides for ring in range(rings - 1)]
+    return points, _outward(points, np.concatenate([ends, *walls]))
 
 
 @cache
 def _soft_faces() -> Faces:
-    """Return the 44 triangles of a bevelled box: six sides, twelve edges, eight corners."""
+    """Return the 44 triangles of a bevelled box, vertex 3 c + axis that of corner c at its end along an axis (see `soft`)."""
     corners = np.repeat(np.array(list(product((-1.0, 1.0), repeat=3))), 3, axis=0)
-    return wrapped(corners * np.where(np.tile(np.eye(3), (8, 1)) > 0, 1.0, 0.7))
+    quads = list[tuple[int, int, int, int]]()
+    for axis in range(3):
+        u, v = (other for other in range(3) if other != axis)
+        far, ring = 4 >> axis, [0, 4 >> u, (4 >> u) + (4 >> v), 4 >> v]
+        for end in (0, far):
+            a, b, c, d = (3 * (end + corner) + axis for corner in ring)
+            quads.append((a, b, c, d))
+        quads += [(3 * c + u, 3 * c + v, 3 * (c + far) + v, 3 * (c + far) + u) for c in ring]
+    faces = [(3 * corner, 3 * corner + 1, 3 * corner + 2) for corner in range(8)]
+    faces += [face for a, b, c, d in quads for face in ((a, b, c), (a, c, d))]
+    return _outward(corners * np.where(np.tile(np.eye(3), (8, 1)) > 0, 1.0, 0.7), np.array(faces))
+
+
+def _outward(points: Array, faces: NDArray[np.int64]) -> Faces:
+    """Turn the triangles of a convex shape about the origin counter-clockwise, seen from outside."""
+    a, b, c = np.moveaxis(points[faces], 1, 0)
+    inside_out = (np.cross(b - a, c - a) * a).sum(axis=1) < 0
+    return np.where(inside_out[:, None], faces[:, ::-1], faces).astype(np.int32)
 
 
 def wrapped(points: Array) -> Faces:
     """Return the triangles of the convex hull of points, counter-clockwise seen from outside."""
-    from scipy.spatial import ConvexHull
+    from scipy.spatial import ConvexHull  # takes a sixth of a second to import
 
     hull = ConvexHull(points)
     a, b, c = (points[hull.simplices[:, i]] for i in range(3))

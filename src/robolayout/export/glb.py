@@ -23,7 +23,7 @@ from robolayout._version import __version__
 from robolayout.assets import Material, Part, category_of, room_parts
 from robolayout.assets.textures import media_type, picture
 from robolayout.export._exporter import Exporter, Json, Options, Rows, facts, is_movable, placed, reader
-from robolayout.export._mesh import DrawnSurface, base_color, linear, merged, quaternion
+from robolayout.export._mesh import DrawnSurface, base_color, linear, merged
 from robolayout.export._rugs import laid_parts
 from robolayout.export._scenery import SCENERY, lamp, overview
 from robolayout.scene import Asset, Layout, Pose, Room, Scene
@@ -78,9 +78,8 @@ class _Builder:
         lens: Json = {"yfov": SCENERY.field, "aspectRatio": SCENERY.aspect, "znear": 0.05}
         number = self.add("cameras", {"type": "perspective", "perspective": lens})
         position, axes = overview(room)
-        w, x, y, z = quaternion(axes)
-        place: Json = {"translation": list(position), "rotation": [x, y, z, w]}
-        return self.add("nodes", {"name": "camera", "camera": number, **place})
+        place = np.vstack([np.column_stack([axes, position]), (0.0, 0.0, 0.0, 1.0)])
+        return self.add("nodes", {"name": "camera", "camera": number, "matrix": place.T.ravel().tolist()})
 
     def _mesh(self, name: str, material: Material, closed: bool, shape: DrawnSurface) -> int:
         arrays = (shape.positions, shape.normals, shape.indices, shape.uvs)

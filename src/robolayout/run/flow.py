@@ -100,7 +100,8 @@ def generate(  # noqa: PLR0913 - the public page of everything that can be chose
             raise SceneError(too_full[0])  # counted before any search
         wishes = read_words(scene)
     if solver == "default":
-        warm_up(scene, config, missing_only=program is None and attempts > 1)  # a right guess needs no search
+        traced = (config or SolverConfig()).trace  # a right guess needs no search, unless it is recorded
+        warm_up(scene, config, missing_only=program is None and attempts > 1 and not traced)
     run = Run(scene, seed, solver, config, clock, say, wishes)
     given = None if start is None else as_start(scene, start)
     pinned = pinned_poses(scene, given, keep, free)
