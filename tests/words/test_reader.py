@@ -305,8 +305,9 @@ def test_counts(text: str, counts: dict[str, int]) -> None:
         (
             "A table. A bench on one side and three chairs on the other, with two lamps above it.",
             {
-                ("around", "bench", "dining table"),
-                ("around", "chair", "dining table"),
+                ("oneside", "bench", "dining table"),
+                ("otherside", "chair", "dining table"),
+                ("otherside", "chair", "bench"),
                 ("above", "pendant lamp", "dining table"),
                 ("with", "pendant lamp", "chair"),
             },

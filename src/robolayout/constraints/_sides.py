@@ -12,6 +12,8 @@ from robolayout.scene import Layout, Scene
 
 SIDES = ("front", "back", "left", "right", "beside")  # sides as the thing itself sees them; "beside" is left or right
 
+BEFORE_A_WALL = 1.5  # metres from the wall up to which a teacher's desk is at the side of the board there
+
 
 class BySide(Relation):
     """`a` stands on a `side` of `b`, as b sees it, with `min_gap` to `max_gap` m between their edges."""
@@ -32,10 +34,15 @@ class BySide(Relation):
         if side in ("front", "back"):
             return (FrameTerm(a, b, along=out if side == "front" else back, across=Interval(-bhy, bhy)),)
         across = back if side == "right" else out
-        return (FrameTerm(a, b, along=Interval(-bhx, bhx), across=across, fold=side == "beside"),)
+        return (FrameTerm(a, b, along=Interval(-bhx, bhx + self._before(scene)), across=across, fold=side == "beside"),)
+
+    def _before(self, scene: Scene) -> float:
+        """Return the metres before b in which what stands on the floor is at the side of a board on its wall."""
+        a, b = (scene.by_name[ref.name] for ref in (self.a, self.b))
+        return BEFORE_A_WALL if a.on_floor and b.on_wall and not b.on_floor else 0.0
 
     def check(self, scene: Scene, layout: Layout) -> Outcome:
-        """Gap within [min_gap - 0.05, max_gap + 0.05] m, centre within b's extent along that side."""
+        """Gap within [min_gap - 0.05, max_gap + 0.05] m, centre within b's extent along that side, or before it at a wall."""
         side, low, high = self.side, self.min_gap, self.max_gap
         bhx, bhy = half_size(scene, self.b)
         here = frame(scene, layout, self.b)
@@ -43,7 +50,7 @@ class BySide(Relation):
         u, v = here.seen(layout[self.a.name].at)
         gaps = {"front": left - bhx, "back": -bhx - right, "left": bottom - bhy, "right": -bhy - top}
         gaps["beside"] = max(gaps["left"], gaps["right"])
-        slip = max(0.0, abs(v) - bhy if side in ("front", "back") else abs(u) - bhx)
+        slip = max(0.0, abs(v) - bhy if side in ("front", "back") else max(-bhx - u, u - bhx - self._before(scene)))
         met = low - TOLERANCE.gap <= gaps[side] <= high + TOLERANCE.gap and slip <= TOLERANCE.gap
         where = "at the side" if side == "beside" else f"on the {side} side"
         text = f"{gaps[side]:.2f} m {where} of {self.b}"

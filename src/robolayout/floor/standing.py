@@ -81,8 +81,13 @@ def standing(floor: Floor, agent: Agent) -> Standing:
         nowhere = np.zeros_like(floor.inside)
         return Standing(nowhere, 1.0, nowhere, floor, agent)
     main = labels == here
-    near = within(main, (agent.reach - FLOOR.short_of) / floor.cell + 1e-6)
+    near = within(main, (_reach(agent.reach, agent, floor) - FLOOR.short_of) / floor.cell + 1e-6)
     return Standing(near, 1.0 - float(main.sum()) / float(sizes.sum()), _turning(floor, agent, main), floor, agent)
+
+
+def _reach(reach: float, agent: Agent, floor: Floor) -> float:
+    """Return a reach in metres, or as far as the nearest cells on which a body can stand may be from what it stands at."""
+    return max(reach, agent.radius + FLOOR.nearest * floor.cell)
 
 
 def _turning(floor: Floor, agent: Agent, main: Mask) -> Mask:
@@ -147,7 +152,7 @@ def use_cells(
     use = use_of(asset, bottom, agent, carried=carried)
     if use is None or (agent.reach_distance is None and not asset.on_floor):
         return None
-    reach, sides = use
+    reach, sides = _reach(use[0], agent, floor), use[1]
     x, y, yaw = place
     pose, half = np.array([x, y, math.cos(yaw), math.sin(yaw)]), np.array(asset.size[:2]) / 2
     i, j = cells_about(floor.xs, floor.ys, pose, half, reach, max(1, round(FLOOR.use_spacing / floor.cell)))

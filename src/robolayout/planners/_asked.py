@@ -6,8 +6,11 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from robolayout.constraints import AssetRef, Relation
+from robolayout.constraints._sides import SideRelation
 from robolayout.constraints.against_wall import AgainstWall
+from robolayout.constraints.align_with import AlignWith
 from robolayout.constraints.any_of import AnyOf
+from robolayout.constraints.distance_constraint import DistanceConstraint
 from robolayout.constraints.in_front_of import InFrontOf
 from robolayout.constraints.in_rows import InRows
 from robolayout.constraints.keep_clear import KeepClear
@@ -188,7 +191,8 @@ def _joins(demand: Demand, cast: Mapping[str, Cast], passage: float) -> Iterator
         a, b = (cast[name] for name in names)
         while b.join.on_top and relation.name != "on_top_of":
             b = cast[b.anchor]  # who sits before a screen sits before its stand
-        join = _join(relation, a, b, {one.name: one for one in demand.ways[0]}, passage)
+        asked = {one.name: one for one in demand.ways[0] if one.asset_names()[:1] == names[:1]}
+        join = _at_one_side(relation, asked) or _join(relation, a, b, asked, passage)
         if join is not None:
             told = join.say or join.all or (len(demand.ways) == 1 and b.name == names[1])
             yield a.name, (b.name, join if told else replace(join, say=usual_say(join.slot)))
@@ -206,16 +210,22 @@ def _chains(
         if not any({*names[1:]} <= {*one.asset_names()} for one in placing):
             yield from _side_by_side([cast[name] for name in names], passage)
     pairs = [(demand, *one.asset_names()) for demand in demands for one in demand.ways[0] if one.name == "facing_pair"]
+    distances = [one for one in said(demands) if isinstance(one, DistanceConstraint)]
     for demand, a, b in pairs:
         top = next((cast[middle] for middle, *ends in between if {*ends} == {a, b}), _before_both(cast, a, b))
         if top is not None and top.role.name.endswith("table") and top.asset.size[2] > GAPS.sat_at:
             yield from ((name, (top.name, AROUND)) for name in (a, b))
             continue
         held = a in subjects(other for other in demands if other is not demand)
-        gap = max(GAPS.across, (top.asset.size[0] if top is not None else 0.0) + 2 * GAPS.before)
+        apart = [one.min_distance or 0.0 for one in distances if {*one.asset_names()} == {a, b}]
+        told = max(apart, default=0.0) - (cast[a].asset.size[0] + cast[b].asset.size[0]) / 2 + GAPS.seated
+        gap = max(GAPS.across, (top.asset.size[0] if top is not None else 0.0) + 2 * GAPS.before, told)
         yield a, (b, Join("front", (), gap=gap, loose=held, faces="anchor", say=usual_say("front")))
         if top is not None and top.join.slot == "beside":  # a side table, here between the two
-            yield top.name, (b, Join("front", (), gap=GAPS.before, loose=True, faces="anchor", say=usual_say("front")))
+            half = (gap - top.asset.size[0]) / 2
+            say = f"in_front_of({{a}}, {{b}}, {half - GAPS.seated:.2f}, {half + GAPS.seated:.2f})"
+            there = Join("front", (), gap=half, loose=True, faces="anchor", say=(say, *usual_say("front")[1:]))
+            yield top.name, (b, there)
 
 
 def _before_both(cast: Mapping[str, Cast], a: str, b: str) -> Cast | None:
@@ -275,6 +285,16 @@ def _join(relation: Relation, a: Cast, b: Cast, asked: Mapping[str, Relation], p
             return known if usual else _at_its_back(a, passage, getattr(asked.get("align_with"), "angle", 0.0))
         case _:
             return None
+
+
+def _at_one_side(relation: Relation, asked: Mapping[str, Relation]) -> Join | None:
+    """Return how seats join a table that are all at one side of it, under it and turned to it; None for others at a side."""
+    turned = asked.get("align_with")
+    if not isinstance(relation, SideRelation) or relation.min_gap >= 0.0 or not isinstance(turned, AlignWith):
+        return None
+    at = {"in_front_of": "front", "behind": "behind"}.get(relation.name, "flank")
+    say = f"{relation.name}({{a}}, {{b}}, {relation.min_gap:g}, {relation.max_gap:g})"
+    return Join(at, (), gap=GAPS.seated, faces="anchor", say=(say, f"align_with({{a}}, {{b}}, {turned.angle:g})"))
 
 
 def _at_its_back(a: Cast, passage: float, turned: float) -> Join:

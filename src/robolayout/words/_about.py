@@ -208,12 +208,47 @@ class About(References):
         there = sided[0].subjects if OTHER_SIDE[sided[0].relation] == "otherside" else ()
         return replace(chunk, value=OTHER_SIDE[sided[0].relation]), [*sided[0].objects, *there]
 
+    def _at_sides(self, chunk: Chunk, subjects: Sequence[Mention], place: Place | None) -> bool:
+        """Seats on the sides or at the ends of a table stand around it; other things at a side are on top of it or beside it."""
+        tables = [thing for thing in self.said.things if thing.head in ("table", "counter", "island")]
+        around = ("chair", "stool", "bench", "cushion", "armchair")
+        seats = [m for m in subjects if m.thing.head in around]
+        if not tables or not seats or named(subjects) - named(seats) - {tables[-1]}:
+            return False
+        if place is not None and {"back", "front", "rear"} & {*place.words}:
+            return False  # of the room
+        square = "square" in (*tables[-1].adjectives, *tables[-1].noun.said.split())
+        for seat in seats:
+            if seat.per_side(chunk, place, own=seat.det == "a") and seat.thing not in self.dealt:
+                seat.thing.number = (4 if square else 2) * (seat.thing.number or 1)
+        self.acted = list(seats)
+        at = [
+            link
+            for link in self.said.links
+            if link.relation in ("around", "oneside") and tables[-1] in named(link.objects)
+        ]
+        one = chunk.value == "oneside" or (place is not None and place.number == 1 and not place.plural)
+        there = [m for link in at if link.relation == "oneside" for m in link.subjects]
+        if place is not None and place.det == "other" and there:
+            self._link(replace(chunk, value="otherside"), seats, [Mention(tables[-1]), *there])
+        elif seats[0].thing not in {link.subjects[0].thing for link in at}:
+            how = "oneside" if one else "around"
+            self._link(Chunk("rel", chunk.start, chunk.end, how), seats, [Mention(tables[-1])])
+            self.targets.append(Mention(tables[-1]))
+        return True
+
     def _across_the_room(self, objects: Sequence[Item]) -> Sequence[Item]:
         """Return what a relation leads to, the opposite wall told by the door or window of before: "a desk by the window, ..."."""
         wall, last = place_in(objects[:1], "wall"), self.said.links[-1:]
         if wall is None or wall.by or wall.plural or wall.words not in (("opposite",), ("opposing",)):
             return objects
-        at = [place for k in last if k.start >= self.began and (place := place_in(k.objects[:1], "window", "door"))]
+        here = [k for k in self.said.links if k.start >= self.began]
+        walled = any(place_in(k.objects[:1], "wall") for k in here)
+        at = [
+            place
+            for k in here[::-1]
+            if (place := place_in(k.objects[:1], "window", "door")) and (not walled or k in last)
+        ]
         return [replace(wall, words=(), by=("opposite", at[0])), *objects[1:]] if at else objects
 
     def _free_space(self, chunk: Chunk, measure: Measure) -> bool:
@@ -234,6 +269,7 @@ class About(References):
             return False
         self._understood(*ahead)
         self.at += len(ahead) + 1 + every
+        self.about = []  # floor, no thing
         whose = self.group[-1:] if both or every else self._meant("it", led.value) if its else self._objects(led)
         about = mentions(whose)
         sides = [Place("side", (side,)) for side in FREED.get("around" if every else led.value, ())]
@@ -311,6 +347,8 @@ class About(References):
         if self.target is not None and to is not None and last and relation in small.STANDING:
             held = last[0].topped and not self.target.topped and not to.category.on_object
             told = told or held  # "bottles on the shelves behind the counter"
+        if self.target is not None and relation == "amid" and self._ahead().kind == "pron" and last:
+            told = told or (last[0].laid and not self.target.laid)  # "tissues on a small table between them"
         if self.target is not None and told and self.acted:
             return [self.target]
         if self.target is not None and self.said.links and self.said.links[-1].relation == "in" and place:

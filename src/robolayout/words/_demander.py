@@ -12,13 +12,14 @@ from robolayout.constraints import AssetRef, PointRef, Relation, WallRef
 from robolayout.constraints.between import BetweenTwo
 from robolayout.scene import Scene
 from robolayout.words import _ways as ways_of
-from robolayout.words._places import Asked, AtPlaces, walls_meant
+from robolayout.words._at_sides import AtSides
+from robolayout.words._places import Asked, walls_meant
 from robolayout.words._rows import ToldRows, alike, in_rows, neighbours, on_a_wall
 from robolayout.words._said import Link, Mention, NamedThing, Place, mentions, named, place_in, places
 from robolayout.words.demands import Demand, by_ways, single, stated
 
 
-class Demander(AtPlaces):
+class Demander(AtSides):
     """Turns links into demands on a scene."""
 
     def __init__(self, scene: Scene, names: Mapping[NamedThing, tuple[str, ...]], links: Sequence[Link]) -> None:
@@ -210,17 +211,6 @@ class Demander(AtPlaces):
             sided = ([*zip(items, way, strict=True)] for way in ways)
             yield Demand(tuple(tuple(stated("next_to", AssetRef(a), AssetRef(b), s, gap) for a, s in w) for w in sided))
 
-    def _otherside(self, it: Asked) -> Iterator[Demand]:
-        """On the other side of the first of some things than the rest of them."""
-        b, *there = it.others
-        sides = ("left_of", "right_of"), ("in_front_of", "behind")
-        ways = [
-            tuple(stated(side, AssetRef(a), AssetRef(b), 0.0, ways_of.NEAR) for side, a in both)
-            for one, other in (*sides, *(pair[::-1] for pair in sides))
-            for both in [[*((one, a) for a in it.subjects), *((other, a) for a in there)]]
-        ]
-        yield Demand(tuple(ways))
-
     def _behind(self, it: Asked) -> Iterator[Demand]:
         """Behind a thing; behind a desk at which somebody looks somewhere is behind who sits there, where it is used from."""
         last: dict[str, str] = {}
@@ -245,6 +235,8 @@ class Demander(AtPlaces):
         if relation in ("end", "foot") and self._only_wall(a):  # "a screen on the wall at one end of the table"
             depth, width, _ = self._asset(b).size
             return ways_of.END_WALLS[relation == "end" and width >= depth][: 1 if relation == "foot" else 2]
+        if relation in ("left", "right") and (self._only_wall(b) or self._is(b, ways_of.WATCHED)):
+            return ways_of.TO_ANOTHER[ways_of.OTHER_SIDE[relation]]  # as one sees it who looks at it
         if relation == "end" and not self._is(b, ("table", *ways_of.SLEPT_ON)):
             return ways_of.TO_ANOTHER["end"][1:]  # "a fridge at the end of the counter"
         watching = self._is(a, ways_of.SEATS) and self._is(b, ways_of.WATCHED) and a not in self.askew
@@ -397,11 +389,15 @@ class Demander(AtPlaces):
         for a in it.subjects if len(ends) > 1 else ():
             wide = self.told.abreast.get(it.others[0], 0) if it.place is None else 0
             across = ends[wide // 2 :: wide] if wide and len(ends) > 2 else ends  # between two rows
-            if not wide and len(it.groups) == 2 and len(ends) > 2:  # "between the sinks and the shower"
-                across = [AssetRef(it.groups[0][-1]), AssetRef(it.groups[1][0])]
+            lines = not wide and len(it.groups) == 2 and len(ends) > 2  # "between the sinks and the shower"
+            if lines:
+                across = [AssetRef(group[len(group) // 2]) for group in it.groups]
             pairs = [(across[0], across[1])] if len(across) == 2 else neighbours(ends, len(it.subjects))
             one, two = pairs[it.subjects.index(a) % len(pairs)]
-            near = tuple(stated("near", AssetRef(a), end, self._within(a, end)) for end in (one, two))
+            far = lines and all(len(group) > 2 for group in it.groups)  # rows along walls
+            near = tuple(
+                stated("near", AssetRef(a), end, ways_of.ACROSS if far else self._within(a, end)) for end in (one, two)
+            )
             yield Demand((near,), BetweenTwo(AssetRef(a), one, two))
 
     def _within(self, a: str, end: AssetRef | PointRef) -> float:

@@ -177,7 +177,7 @@ class Parser(Relating):
             self.before = many[-1:] or self.before
         several_meant = chunk.value in small.SEVERAL and (not self.group or self._previous(chunk) in ("and", ","))
         if several_meant and (self.before or len([*self.recent, *self.targets]) > 1):  # "..., and both of them face it"
-            self.subject = self.group = self._several_meant(self.recent, self.targets)
+            self.subject = self.group = self._several_meant("", self.recent, self.targets)
         elif self.before and not self.group and not room:
             self.subject, self.group = list(self.before), list(self.before)
         own = chunk.value == "each" and (self.holder or self._ahead().kind not in ("rel", "verb"))
@@ -293,6 +293,9 @@ class Parser(Relating):
             self._fact(Chunk("body", chunk.start, chunk.end, AIDS[noun.kind]))
         elif alike and (before == "of" or self._ahead(-2).kind == "with"):
             self._fact(replace(chunk, kind="function"))  # "a bottle of detergent", "a vase with flowers"
+        elif held and noun is not None and before == "of" and noun.kind.split()[-1] == held[0].thing.head:
+            held[0].thing.noun = noun  # "a box of tissues" is a tissue box
+            self._understood(chunk)
         elif held and before == "of":  # "a rack of dumbbells"
             mention = self._mention(chunk)
             if mention.thing.category.on_object and not held[0].thing.category.on_object:

@@ -216,7 +216,10 @@ class References(Spoken):
         """Return what a relation leads to where nothing is named: "a loft bed with a desk underneath", "a bed on the left"."""
         if relation == "opposite":  # of a single seat, bed or desk: "a bed ..., a mirror on the wall opposite"
             faced = self._last_of(("desk", "island", *SEATS, *SLEPT_ON, *WATCHED), named(self.about))
-            return [m for m in faced if not m.several]
+            faced = [m for m in faced if not m.several]
+            here = [k.subjects for k in self.said.links[-1:] if k.start >= self.began and k.relation != "with"]
+            # "a washer and a dryer along a wall, an ironing board opposite"
+            return faced or [m for each in here for m in each[:1] if m.thing not in named(self.about)]
         if self.holder or relation not in ("left", "right"):
             return self.holder or self._meant("it", relation)
         side, of = self.contrast

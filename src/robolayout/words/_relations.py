@@ -214,9 +214,8 @@ class Relating(About):
         place = place_in(objects[:1])
         sides = place.name == "side" if place else chunk.value in ("flank", "oneside") and not objects
         last = self.said.links[-1] if self.said.links else None
-        again = last is not None and last.relation == chunk.value == "flank" and last.subjects == tuple(self.acted)
-        if (again and not objects) or (sides and self._at_sides(chunk, subjects, place)):
-            self._understood(chunk)  # "a plant flanks the door on each side"
+        if self._said_again(chunk, subjects, objects) or (sides and self._at_sides(chunk, subjects, place)):
+            self._understood(chunk)
             return
         backs = chunk.value == "wall" and {"back", "backs"} & {*chunk.adjectives} and not place_in(objects[:1], "wall")
         if chunk.value == "separates" or backs:  # "with its back to the window"
@@ -231,14 +230,30 @@ class Relating(About):
         if not objects and not subjects and chunk.value in ("left", "right") and self.fronted is not None:
             objects = list(self.fronted[1])  # "beside the sofa, on the right, a lamp"
         subjects, objects = self._held_by(chunk, subjects, objects)
-        for item in objects if every and subjects else ():
-            told = chunk.value in REVERSED and item.det != "the"  # "each surrounded by six chairs"
-            own = isinstance(item, Mention) and (item.det == "a" or told or "own" in item.thing.adjectives)
-            if isinstance(item, Mention) and own and item.thing.times == 1:
-                item.thing.times = subjects[0].thing.count  # "each facing a mirror"
+        self._as_many(chunk, subjects, objects, every=every)
         if chunk.number and subjects and subjects[0].thing.number is None:
             subjects[0].thing.number = chunk.number  # "in four rows of six"
         self._relate(chunk, subjects, objects, first)
+
+    def _said_again(self, chunk: Chunk, subjects: Sequence[Mention], objects: Sequence[Item]) -> bool:
+        """Return whether a relation says no more than the last one: "a plant flanks the door on each side", "back to back in pairs"."""
+        last = self.said.links[-1] if self.said.links else None
+        if last is None:
+            return False
+        if {last.relation, chunk.value} == {"backs", "pairs"} and named(last.subjects) == named(subjects):
+            self.said.links[-1] = replace(last, relation="backs")
+            return True
+        return last.relation == chunk.value == "flank" and last.subjects == tuple(self.acted) and not objects
+
+    def _as_many(self, chunk: Chunk, subjects: Sequence[Mention], objects: Sequence[Item], *, every: bool) -> None:
+        """Count what each of some things has: "each facing a mirror", "four chairs facing mirrors"."""
+        for item in mentions(objects) if subjects else ():
+            thing, told = item.thing, chunk.value in REVERSED and item.det != "the"  # "each surrounded by six chairs"
+            if every and (item.det == "a" or told or "own" in thing.adjectives) and thing.times == 1:
+                thing.times = subjects[0].thing.count
+            bare = thing.head == "mirror" and thing.number is None and thing.plural
+            if bare and chunk.value == "facing" and subjects[0].several:
+                thing.number = subjects[0].count
 
     def _held_by(self, chunk: Chunk, subjects: list[Mention], objects: list[Item]) -> tuple[list[Mention], list[Item]]:
         """Return what a relation is about and leads to, where that is not what a thing has but the thing itself."""
@@ -268,7 +283,7 @@ class Relating(About):
         sat = held and self.group[-1].sat_on and self.holder[0].thing.head in TOPS
         sat = sat and (chunk.value != "opposite" or self.group[-1].thing.head not in small.LOUNGE)
         others = [m for m in mentions(objects) if m.thing.count > 1 and m.thing not in named(self.holder)]
-        seated = sat and chunk.value in small.STANDING
+        seated = sat and chunk.value in (*small.STANDING, "amid")
         if seated and others and self._ahead(-1).kind == "pron" and self.holder[0].thing.count == 1:
             objects = list[Item](others)  # "two shelves and a table with four chairs in front of them"
         to_it = named(self.holder) & named(objects)
@@ -394,26 +409,6 @@ class Relating(About):
         known = next(dropwhile(lambda c: c.kind in ("other", "function"), before), NOTHING)
         held = self.group and (known.kind == "with" or self.having)  # "a cabinet with gadgets along the wall"
         return known not in (*before[:1], NOTHING) and known.kind in ("and", "comma", "with") and not held
-
-    def _at_sides(self, chunk: Chunk, subjects: Sequence[Mention], place: Place | None) -> bool:
-        """Seats on the sides or at the ends of a table stand around it; other things at a side are on top of it or beside it."""
-        tables = [thing for thing in self.said.things if thing.head in ("table", "counter", "island")]
-        around = ("chair", "stool", "bench", "cushion", "armchair")
-        seats = [m for m in subjects if m.thing.head in around]
-        if not tables or not seats or len(seats) < len(subjects):
-            return False
-        if place is not None and {"back", "front", "rear"} & {*place.words}:
-            return False  # of the room
-        square = "square" in (*tables[-1].adjectives, *tables[-1].noun.said.split())
-        for seat in seats:
-            if seat.per_side(chunk, place, own=seat.det == "a") and seat.thing not in self.dealt:
-                seat.thing.number = (4 if square else 2) * (seat.thing.number or 1)
-        self.acted = list(subjects)
-        around = [link.subjects[0].thing for link in self.said.links if link.relation == "around"]
-        if seats[0].thing not in around:
-            self._link(Chunk("rel", chunk.start, chunk.end, "around"), seats, [Mention(tables[-1])])
-            self.targets.append(Mention(tables[-1]))
-        return True
 
     def _reversed(self, chunk: Chunk, subjects: list[Mention], objects: Sequence[Item]) -> None:
         """Link what is said from the other side: "flanked by two lamps"."""

@@ -137,7 +137,7 @@ class Spoken:
             return self.holder
         if word in small.SEVERAL:
             held = [m for m in earlier if holder is None or many or m.thing is not holder.thing]
-            return self._several_meant(held if len(held) > 1 else earlier, to)
+            return self._several_meant(relation, held if len(held) > 1 else earlier, to)
         return self._kept(word, relation, own) or self._last(word, relation, earlier, to)
 
     def _last_of(self, heads: Sequence[str], own: set[NamedThing]) -> list[Mention]:
@@ -172,14 +172,17 @@ class Spoken:
             before = [o for to in on for o in mentions(to) if not o.several][-1:] or before
         return earlier[-1:] or to[-1:] or before or self.group[:1]
 
-    def _several_meant(self, earlier: list[Mention], to: list[Mention]) -> list[Mention]:
+    def _several_meant(self, relation: str, earlier: list[Mention], to: list[Mention]) -> list[Mention]:
         """Return what "them" stands for: several things named at once, or the last two."""
         own = named(self.about)
         on = {thing for k in self.said.links if own & named(k.objects) for thing in named(k.subjects)}
         earlier = [m for m in earlier if m.thing not in on or not m.topped]
         several = [m for m in earlier if m.thing.count > 1]
         if several and earlier[-1:] == several[-1:]:
-            return several[-1:]
+            lines = relation == "amid" and [m.count > 2 for m in several[-2:]] == [True, True]
+            return several[
+                -2 if lines else -1 :
+            ]  # "three beds along one wall, three lockers along the other, a table between them"
         if len(earlier) == 1:  # "a sofa facing the TV and a table between them"
             earlier += [m for m in to[-1:] if m.thing is not earlier[0].thing]
         before = self.before

@@ -48,7 +48,8 @@ _HOW = r"[\s-]*(?:in\s+)?(long|wide|deep|across|diameter)\b"
 _FLAT = r"(?=\s+(?:\w+\s+)?(?:tv|television|monitor|screen))"
 _LENGTH = re.compile(rf"{_N}[\s-]*(?:({_LENGTHS}|in(?={_HOW}|{_FLAT}))(?:{_HOW}|({_FLAT}))?)", re.IGNORECASE)
 _APART = re.compile(
-    rf"(?:\b(?:(at least|no less than|more than|(?:no|not) (?:closer|nearer) than)|(at most|no more than|up to|less than|within))\s+)?"
+    rf"(?:\b(?:(at least|no less than|more than|(?:no|not|none)(?: of them)? (?:closer|nearer) than)"
+    r"|(at most|no more than|up to|less than|within))\s+)?"
     rf"{_N}{_U}\s*(?:apart|(?:away )?from|of|to|(?:of )?(?:(?:free|clear|empty) )?(?:space |distance )?between)\b",
     re.IGNORECASE,
 )

@@ -86,6 +86,9 @@ SLEPT_ON = ("bed", "crib", "cot")
 _BY_RIGHT_ANGLE = ((("align_with", 90.0),), (("align_with", 270.0),))
 _PARALLEL = ((("align_with", 0.0),), (("align_with", 180.0),))
 
+TOWARDS = {"in_front_of": 180.0, "behind": 0.0, "left_of": 270.0, "right_of": 90.0}
+"""Degrees by which the front of what looks at a thing from its side is turned from that thing's own."""
+
 AT_A_DESK: Ways = ((("in_front_of", -BESIDE, BESIDE),), (("behind", -BESIDE, BESIDE),))
 """Where seats stand that a desk or counter has."""
 
@@ -112,7 +115,6 @@ AROUND_WATCHED: Ways = (
 
 TO_ANOTHER: Mapping[str, Ways] = {
     "next": ((("near", BESIDE),),),
-    "oneside": ((("near", BESIDE),),),
     "near": ((("near", NEAR),),),
     "wall": ((("near", BESIDE / 2),),),
     "by": ((("near", AT_TABLE),),),
@@ -127,7 +129,7 @@ TO_ANOTHER: Mapping[str, Ways] = {
 }
 """What a thing is asked to be to another one, or to a place of the room, by the word of the list."""
 
-AT_PLACES = frozenset((*TO_ANOTHER, "on", "in", "flank", "under", "above", "behind", "hanging"))
+AT_PLACES = frozenset((*TO_ANOTHER, "oneside", "on", "in", "flank", "under", "above", "behind", "hanging"))
 """Relations that lead to a place of the room as well as to things."""
 
 OFF_A_WALL = (0.3, math.inf)

@@ -109,13 +109,16 @@ class ClusterBuilder:
     def _flank(self, anchor: Want, items: Sequence[Want], placed: Sequence[Member]) -> list[Member]:
         """Left and right of the anchor, looking at it; further ones beside the first."""
         _, by = _half(anchor)
+        sides = [item.joined.side or ("left", "right")[i % 2] for i, item in enumerate(items)]
         found: list[Member] = []
-        for i, item in enumerate(items):
+        for i, (item, side) in enumerate(zip(items, sides, strict=True)):
             ax, ay = _half(item)
-            side, row = item.joined.side or ("left", "right")[i % 2], i // 2
-            sign = 1.0 if side == "left" else -1.0
-            x, y = row * (2 * ay + 0.1), sign * (by + item.joined.gap + ax)
-            found.append(Member(item.name, x, y, -sign * math.pi / 2, side=side))
+            row = sides[:i].count(side) - (sides.count(side) - 1) / 2 * bool(item.joined.side)
+            x, sign = row * (2 * ay + 0.1), 1.0 if side == "left" else -1.0
+            at, gap = partial(_flanking, x, sign, by + ax), item.joined.gap
+            if _seats(item):
+                gap = min(gap, left_gap(self.scene, [AssetRef(item.name)], AssetRef(anchor.name), at))
+            found.append(Member(item.name, *at(gap)[0], side=side))
         return found
 
     def _front(self, anchor: Want, items: Sequence[Want], placed: Sequence[Member]) -> list[Member]:
@@ -175,6 +178,11 @@ def _seats(want: Want) -> bool:
 def _before(x: float, sign: float, y: float, yaw: float, gap: float) -> list[tuple[float, float, float]]:
     """Return the place of a seat `gap` metres farther out than x."""
     return [(x + sign * gap, y, yaw)]
+
+
+def _flanking(x: float, sign: float, y: float, gap: float) -> list[tuple[float, float, float]]:
+    """Return the place of a seat `gap` metres farther out than y on one side, looking back."""
+    return [(x, sign * (y + gap), -sign * math.pi / 2)]
 
 
 def _slot(items: Sequence[Want]) -> str:

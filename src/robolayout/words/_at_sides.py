@@ -1,0 +1,47 @@
+"""What stands on one side of a thing: any side, the other one, all seats at one side of a table."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from robolayout.constraints import AssetRef, Relation
+from robolayout.words import _ways as ways_of
+from robolayout.words._places import Asked, AtPlaces
+from robolayout.words.demands import Demand, single, stated
+
+
+class AtSides(AtPlaces):
+    """Says what it asks for to be at a side of a thing."""
+
+    def _oneside(self, it: Asked) -> Iterator[Demand]:
+        """At a side of a thing, whichever; seats all at one side of a table, the longer ones first."""
+        seats = all(self._is(a, ways_of.SEATS) for a in it.subjects)
+        if not (seats and len(it.others) == 1 and self._is(it.others[0], ways_of.BEARING)):
+            yield from (single(stated("near", AssetRef(a), AssetRef(b), ways_of.BESIDE)) for a, b in it.twos)
+            return
+        (b,) = it.others
+        yield Demand(tuple(self._at_side(side, it.subjects, b) for side, _ in self._sides_of(b)))
+
+    def _otherside(self, it: Asked) -> Iterator[Demand]:
+        """On the other side of the first of some things than the rest of them."""
+        b, *there = it.others
+        sides = self._sides_of(b)
+        yield Demand(
+            tuple((*self._at_side(one, it.subjects, b), *self._at_side(other, there, b)) for one, other in sides)
+        )
+
+    def _sides_of(self, b: str) -> Iterator[tuple[str, str]]:
+        """Yield each side of a thing with the one across, the longer ones first."""
+        depth, width, _ = self._asset(b).size
+        pairs = ("left_of", "right_of"), ("in_front_of", "behind")
+        for one, other in pairs if depth > width else pairs[::-1]:
+            yield from ((one, other), (other, one))
+
+    def _at_side(self, side: str, subjects: Sequence[str], b: str) -> tuple[Relation, ...]:
+        """Return that things stand at a side of another one; seats under a table, looking at it."""
+        at, found = self._is(b, ways_of.BEARING), list[Relation]()
+        for a in subjects:
+            sat_on = at and self._is(a, ways_of.SEATS)
+            found.append(stated(side, AssetRef(a), AssetRef(b), -ways_of.BESIDE if sat_on else 0.0, ways_of.NEAR))
+            found += [stated("align_with", AssetRef(a), AssetRef(b), ways_of.TOWARDS[side])] * sat_on
+        return tuple(found)
