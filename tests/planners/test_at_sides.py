@@ -155,3 +155,45 @@ def test_rows_of_a_large_warehouse_stand_as_asked_for_a_small_robot_too() -> Non
     result = made("a warehouse with four rows of pallet racks 2.5 m apart for a robot")
     assert result.report.agents[0].agent.reach_distance is None
     assert result.report.ok
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "a bedroom with a bed and a night stand on each side",
+        "a bed whose headboard is against the wall and a night stand on each side",
+    ],
+)
+def test_a_night_stand_is_a_thing_at_the_end_of_a_sentence_too(text: str) -> None:
+    result = made(text)
+    assert result.report.ok
+    assert sides(result, "night_stand", "bed-0") == {"left", "right"}
+    assert all(row.verdict == "met" for row in result.report.asked)
+
+
+def test_mats_for_prayer_lie_in_rows_and_look_where_they_are_told() -> None:
+    result = made("a prayer room with six mats in two rows facing the north wall")
+    assert result.report.ok
+    mats = [result.layout[name] for name in of(result, "prayer_mat")]
+    assert len(mats) == 6
+    assert min(math.sin(mat.yaw) for mat in mats) > 0.99
+
+
+def test_cushions_around_low_tables_and_on_a_rug_lie_on_the_floor() -> None:
+    result = made("a tea room with four low tables, each with four cushions around it")
+    assert result.report.ok
+    cushions = of(result, "floor_cushion")
+    assert len(cushions) == 16
+    assert (
+        max(min(math.dist(result.layout[a].at, result.layout[b].at) for b in of(result, "low_table")) for a in cushions)
+        < 1.2
+    )
+    assert of(made("a playroom with a rug with cushions in the corner"), "floor_cushion")
+
+
+def test_a_mattress_is_the_bed_and_a_small_table_for_two_is_sat_at() -> None:
+    attic = made("an attic bedroom with a mattress on the floor in the middle of the room")
+    assert not [name for name in attic.layout if name.startswith(("bed-", "double_bed", "single_bed"))]
+    kitchen = made("a kitchen with a small table for two in the corner")
+    assert kitchen.report.ok
+    assert math.dist(kitchen.layout["chair-0"].at, kitchen.layout["dining_table-0"].at) < 1.2

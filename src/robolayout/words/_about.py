@@ -239,16 +239,12 @@ class About(References):
 
     def _across_the_room(self, objects: Sequence[Item]) -> Sequence[Item]:
         """Return what a relation leads to, the opposite wall told by the door or window of before: "a desk by the window, ..."."""
-        wall, last = place_in(objects[:1], "wall"), self.said.links[-1:]
+        wall = place_in(objects[:1], "wall")
         if wall is None or wall.by or wall.plural or wall.words not in (("opposite",), ("opposing",)):
             return objects
         here = [k for k in self.said.links if k.start >= self.began]
-        walled = any(place_in(k.objects[:1], "wall") for k in here)
-        at = [
-            place
-            for k in here[::-1]
-            if (place := place_in(k.objects[:1], "window", "door")) and (not walled or k in last)
-        ]
+        far = here[-1:] if any(place_in(k.objects[:1], "wall") for k in here) else here[::-1]
+        at = [place for k in far if (place := place_in(k.objects[:1], "window", "door"))]
         return [replace(wall, words=(), by=("opposite", at[0])), *objects[1:]] if at else objects
 
     def _free_space(self, chunk: Chunk, measure: Measure) -> bool:
@@ -343,6 +339,8 @@ class About(References):
         place = self._ahead().kind == "part"
         if self.target is not None and place and last and relation not in ("on", "facing"):
             told = told or (last[0].thing.category.on_object and not on_tops)  # "a laptop on the desk under the window"
+            crowd = last[0].count >= CROWD and not self.target.several
+            told = told or (relation == "front" and crowd)  # "twelve desks facing a desk in front of the board"
         to = self._ahead().noun
         if self.target is not None and to is not None and last and relation in small.STANDING:
             held = last[0].topped and not self.target.topped and not to.category.on_object
@@ -374,7 +372,8 @@ class About(References):
         to = next((c for c in self.chunks[self.at :] if c.kind not in ("filler", "style")), Chunk("", 0, 0))
         again = to.kind == "pron" or any(thing.same(to) for thing in (*earlier, last))
         ends = to.kind in ("", "and", "comma", "stop")  # "a bed, a desk beneath"
-        again = again or (ends and relation in small.NEARNESS)
+        whole = len(self.group) == len(self.said.things)  # "a bed and a night stand on each side"
+        again = again or (ends and (relation in small.NEARNESS or (whole and relation in ("flank", "behind"))))
         begun = next(i for i, c in enumerate(self.chunks) if c.end == last.spans[-1][1])
         closed = self.chunks[begun - 1].kind == "and"
         if self.chunks[begun - 1].value == LISTED and not again:  # "two shelves, a low one and a tall one, by the door"

@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 from dataclasses import replace
+from itertools import pairwise
 
 from robolayout.words import _function_words as small
 from robolayout.words._chunk import MARKS, ROWS, SOME, Chunk, without_noun
@@ -285,7 +286,7 @@ class Chunker(ClosedWords):
             return False
         known = bool(run) and self.lexicon.noun([run[-1], word]) is not None
         # "a lamp and a plant stand next to each other"
-        mutual = bool({"each", "another"} & {*self.words[i + 1 : i + 5]})
+        mutual = bool({("each", "other"), ("one", "another")} & {*pairwise(self.words[i + 1 : i + 6])})
         told = i == len(run) or self._leads(i - len(run) - 1)
         return (
             not known

@@ -35,7 +35,7 @@ def settle_kinds(parsed: Parsed) -> None:
         noun = thing.noun
         if noun.said == "keyboard" and music:
             _take(thing, "digital piano")
-        if noun.said == "small table" and (alone or thing.sat_at):
+        if noun.said == "small table" and (alone or thing.promising):
             _take(thing, "round table" if alone else "dining table")
             thing.adjectives = (*thing.adjectives, "small")
         rounded = f"round {'table' if noun.kind in (*small.TABLES, 'conference table') else noun.kind}"
@@ -91,6 +91,8 @@ def _settle_by_others(link: Link) -> None:
             _take(thing, "coffee table" if link.relation == "front" and heads <= small.LOUNGE else "side table")
         elif thing.noun.words == "stool" and any(other.noun.kind.endswith(small.HIGH) for other in to):
             _take(thing, "bar stool")
+        elif thing.noun.kind == "cushion" and (heads <= {"rug"} or (link.relation == "around" and heads & {*TOPS})):
+            _take(thing, "floor cushion")
         elif thing.noun.kind == "curtain" and (amid or link.relation == "around"):
             _take(thing, "privacy screen")
     watched = link.relation in WATCHING and any(m.thing.head in (*SEATS, "projector") for m in link.subjects)

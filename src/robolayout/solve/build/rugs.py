@@ -28,6 +28,7 @@ class Laying:
     least_under: float = 0.01  # square metres of a rug that lie under its owner at the least
     between: float = 0.4  # metres between two mats
     wanted: float = 0.3  # weight of floor that others are used from, against that of floor which is covered
+    on_others: float = 20.0  # cost of a mat that lies wholly on another one, by the root of the share that does
     most_covered: float = 0.02  # share of a block of mats that may lie under things before they are laid one by one
 
 
@@ -95,10 +96,10 @@ def _free_floor(site: Site, plan: GridPlan) -> tuple[float, Pose]:
     left, bottom, right, top = site.room.bounds
     xs, ys = np.arange(left, right, 0.2), np.arange(bottom, top, 0.2)
     size, middle = site.size(plan.names[0]), site.floor.middle
-    cells = [Member("", *cell) for cell in cell_poses(plan, size)]
+    cells = [Member(name, *cell) for name, cell in zip(plan.names, cell_poses(plan, size), strict=True)]
     centre = (np.mean([cell.x for cell in cells]), np.mean([cell.y for cell in cells]))
     cells = [replace(cell, x=cell.x - centre[0], y=cell.y - centre[1]) for cell in cells]
-    poses = np.array([(x, y, yaw) for yaw in room_yaws(site)[:2] for x in xs for y in ys])
+    poses = np.array([(x, y, yaw) for yaw in room_yaws(site)[: 4 if len(cells) > 1 else 2] for x in xs for y in ys])
     cost = 0.3 * np.hypot(poses[:, 0] - middle[0], poses[:, 1] - middle[1])
     others = [spot.member for spot in site.spots.values() if spot.mode == "rug"]
     for cell in cells:
@@ -106,11 +107,23 @@ def _free_floor(site: Site, plan: GridPlan) -> tuple[float, Pose]:
         cost += 6.0 * _covered(site, size, there, LAYING.wanted)
         for other in others:
             away = np.hypot(there[:, 0] - other.x, there[:, 1] - other.y) / ((size[0] + size[1]) / 2)
-            cost += 4.0 * np.maximum(0.0, 1.0 - away)
-    cost += site.missed([Member(plan.names[0])], poses)
+            cost += 4.0 * np.maximum(0.0, 1.0 - away) + LAYING.on_others * np.sqrt(
+                _shared(there, size, other, site.size(other.name))
+            )
+    cost += site.missed(cells, poses)
     best = int(np.argmin(cost))
     first = cells[0].moved(*(float(value) for value in poses[best]))
     return float(cost[best]), _pose(first)
+
+
+def _shared(poses: Poses, size: tuple[float, float, float], other: Member, its: tuple[float, float, float]) -> Poses:
+    """Return the share (n,) of a mat that lies on another one, both along the room or across it."""
+    dx, dy, turn = poses[:, 0] - other.x, poses[:, 1] - other.y, poses[:, 2] - other.yaw
+    c, s = math.cos(other.yaw), math.sin(other.yaw)
+    along, across = np.abs(np.cos(turn)), np.abs(np.sin(turn))
+    deep = (along * size[0] + across * size[1] + its[0]) / 2 - np.abs(c * dx + s * dy)
+    wide = (across * size[0] + along * size[1] + its[1]) / 2 - np.abs(c * dy - s * dx)
+    return np.clip(deep, 0.0, None) * np.clip(wide, 0.0, None) / (size[0] * size[1])
 
 
 def _fitted(site: Site, name: str, pose: Pose, owner: str | None = None) -> Member:
