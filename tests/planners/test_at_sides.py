@@ -197,3 +197,25 @@ def test_a_mattress_is_the_bed_and_a_small_table_for_two_is_sat_at() -> None:
     kitchen = made("a kitchen with a small table for two in the corner")
     assert kitchen.report.ok
     assert math.dist(kitchen.layout["chair-0"].at, kitchen.layout["dining_table-0"].at) < 1.2
+
+
+@pytest.mark.parametrize(
+    ("text", "kind", "count"),
+    [
+        ("a bedroom with a bed and two matching nightstands either side", "night_stand", 2),
+        ("a dining room with a table and six chairs around", "chair", 6),
+        ("a cafe with tables for two along the window", "chair", 4),
+    ],
+)
+def test_what_is_said_without_its_object_is_there(text: str, kind: str, count: int) -> None:
+    result = made(text)
+    assert result.report.ok
+    assert len(of(result, kind)) == count
+    assert all(row.verdict in ("met", "not judged") for row in result.report.asked)
+
+
+def test_what_is_left_and_right_on_a_desk_is_so_for_who_sits_there() -> None:
+    result = made("a study with a desk with a lamp on the left, a computer in the middle and books on the right")
+    assert result.report.ok
+    assert seen(result, "table_lamp-0", "desk-0")[1] < 0.0 < seen(result, "book-0", "desk-0")[1]
+    assert all(looks_at(result, name, "desk-0") > 0.9 for name in of(result, "office_chair"))

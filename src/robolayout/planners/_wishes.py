@@ -56,6 +56,7 @@ Size = tuple[float, float, float]
 APART = 0.25  # metres between things that lie on a rug or sit in a line
 LONGEST = 50.0  # metres of the longest thing that a room is furnished with
 ELBOWS = 0.6  # metres of a table's edge for who sits there
+AT_ONE = 8  # seats up to which "tables for six" is said of each of them
 APART_AT_TABLE = 0.03  # metres between seats that are wider
 FOR_TWO = 0.8  # metres of a table for two
 
@@ -335,5 +336,5 @@ def _seats(thing: NamedThing, links: Sequence[Link]) -> float:
 
 
 def _promised(thing: NamedThing) -> float:
-    """Return the seats at each of a thing that "for ten" promises; tables of which no number is said share them."""
-    return thing.people / (thing.count if thing.plural and thing.number is None else 1)
+    """Return the seats at each of a thing that "for ten" promises; tables of which no number is said share what more than one seats."""
+    return thing.people / (thing.count if thing.plural and thing.number is None and thing.people > AT_ONE else 1)

@@ -229,11 +229,22 @@ class Relating(About):
             objects = [item for item in objects if item not in subjects]
         if not objects and not subjects and chunk.value in ("left", "right") and self.fronted is not None:
             objects = list(self.fronted[1])  # "beside the sofa, on the right, a lamp"
+        if chunk.value in ("left", "right", "middle") and not objects and (top := self._on_what(subjects)):
+            half = (f"{chunk.value} half", tuple(subjects), tuple(top), chunk.start, chunk.end)
+            self.said.links += [Link(*half)] * (chunk.value != "middle")
+            chunk, objects = replace(chunk, value="on"), top
         subjects, objects = self._held_by(chunk, subjects, objects)
         self._as_many(chunk, subjects, objects, every=every)
         if chunk.number and subjects and subjects[0].thing.number is None:
             subjects[0].thing.number = chunk.number  # "in four rows of six"
         self._relate(chunk, subjects, objects, first)
+
+    def _on_what(self, subjects: Sequence[Mention]) -> list[Item]:
+        """Return the top whose left, right or middle is meant: "a desk with a lamp on the left and a computer in the middle"."""
+        last = self.said.links[-1] if self.said.links else None
+        before = last.objects if last is not None and (last.relation, last.start >= self.began) == ("on", True) else ()
+        top = [m for m in (self.holder if self.having else mentions(before)) if m.thing.head in TOPS]
+        return [*top] if subjects and all(m.thing.category.on_object for m in subjects) else []
 
     def _said_again(self, chunk: Chunk, subjects: Sequence[Mention], objects: Sequence[Item]) -> bool:
         """Return whether a relation says no more than the last one: "a plant flanks the door on each side", "back to back in pairs"."""

@@ -120,6 +120,8 @@ TO_ANOTHER: Mapping[str, Ways] = {
     "by": ((("near", AT_TABLE),),),
     "left": ((("left_of", 0.0, NEAR),),),
     "right": ((("right_of", 0.0, NEAR),),),
+    "left half": ((("toward", "right"),),),  # of a top, for who sits at it
+    "right half": ((("toward", "left"),),),
     "front": ((("in_front_of", 0.0, AHEAD),),),
     "foot": ((("in_front_of", 0.0, BESIDE),),),
     "end": ((("in_front_of", 0.0, BESIDE),), (("next_to", "beside", BESIDE),)),
