@@ -219,3 +219,21 @@ def test_what_is_left_and_right_on_a_desk_is_so_for_who_sits_there() -> None:
     assert result.report.ok
     assert seen(result, "table_lamp-0", "desk-0")[1] < 0.0 < seen(result, "book-0", "desk-0")[1]
     assert all(looks_at(result, name, "desk-0") > 0.9 for name in of(result, "office_chair"))
+
+
+def test_two_chairs_opposite_stand_side_by_side_and_a_told_distance_ahead_is_kept() -> None:
+    result = made("a living room with a sofa, two chairs opposite and a table in between")
+    assert result.report.ok
+    assert math.dist(result.layout["chair-0"].at, result.layout["chair-1"].at) < 1.2
+    far = made("a living room with a TV unit, a sofa 2.5 m in front of it and a rug between them")
+    assert far.report.ok
+    deep = (far.scene.by_name["sofa-0"].size[0] + far.scene.by_name["tv_stand-0"].size[0]) / 2
+    assert seen(far, "sofa-0", "tv_stand-0")[0] - deep == pytest.approx(2.5, abs=0.35)
+
+
+def test_rooms_that_nobody_names_are_what_their_things_say() -> None:
+    lounge = made("There is a sofa in the middle of the room. In front of it is a coffee table.")
+    assert of(lounge, "tv_stand")
+    assert not of(lounge, "reception_desk")
+    work = made("a workspace with a standing desk, a monitor, a chair and a whiteboard on the wall")
+    assert not of(work, "server_rack")

@@ -27,6 +27,7 @@ class Tolerances:
     center: float = 0.10  # metres by which a centre may be off
     hanging: float = 0.15  # metres in plan by which a hanging thing may be off
     behind: float = 0.3  # metres behind b's back at which a may still hang: on the wall that b stands before
+    before: float = 1.5  # metres before a board on a wall up to which what stands on the floor may be at its side
     corner: float = 0.15  # metres that may stay free between a thing and each wall of its corner
     window: float = 0.3  # metres that may lie between a thing and the wall of its window
     aside: float = 0.5  # metres that may lie between a thing and the line from one of the others to the other

@@ -12,8 +12,6 @@ from robolayout.scene import Layout, Scene
 
 SIDES = ("front", "back", "left", "right", "beside")  # sides as the thing itself sees them; "beside" is left or right
 
-BEFORE_A_WALL = 1.5  # metres from the wall up to which a teacher's desk is at the side of the board there
-
 
 class BySide(Relation):
     """`a` stands on a `side` of `b`, as b sees it, with `min_gap` to `max_gap` m between their edges."""
@@ -39,7 +37,7 @@ class BySide(Relation):
     def _before(self, scene: Scene) -> float:
         """Return the metres before b in which what stands on the floor is at the side of a board on its wall."""
         a, b = (scene.by_name[ref.name] for ref in (self.a, self.b))
-        return BEFORE_A_WALL if a.on_floor and b.on_wall and not b.on_floor else 0.0
+        return TOLERANCE.before if a.on_floor and b.on_wall and not b.on_floor else 0.0
 
     def check(self, scene: Scene, layout: Layout) -> Outcome:
         """Gap within [min_gap - 0.05, max_gap + 0.05] m, centre within b's extent along that side, or before it at a wall."""

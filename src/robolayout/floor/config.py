@@ -23,9 +23,7 @@ class FloorConfig:
     spare: float = 0.15  # metres of clearance beyond what the body needs that are still told apart
     chair_at: float = 0.30  # metres within which a chair stands at a thing, as the verifier has it
     short_of: float = 0.03  # metres that a body is asked to get nearer to a thing than its reach
-    nearest: float = (
-        2.5  # cells beyond its radius at which the first one may be on which a body can stand beside a thing
-    )
+    nearest: float = 2.5  # cells beyond a body's radius from a thing at which the first may be on which it can stand
     use_spacing: float = 0.08  # metres between the cells of a plan from which a use is looked for
     onward: float = 0.6  # metres about the places of a use in which a body may go on to it where chairs were
     # cost of a metre walked per metre of clearance that is missing, against 1 for a free metre

@@ -56,6 +56,7 @@ Size = tuple[float, float, float]
 APART = 0.25  # metres between things that lie on a rug or sit in a line
 LONGEST = 50.0  # metres of the longest thing that a room is furnished with
 ELBOWS = 0.6  # metres of a table's edge for who sits there
+OF_CORNERS = {"workspace": "office"}  # rooms that are meant where only a part of one is named
 AT_ONE = 8  # seats up to which "tables for six" is said of each of them
 APART_AT_TABLE = 0.03  # metres between seats that are wider
 FOR_TWO = 0.8  # metres of a table for two
@@ -306,6 +307,9 @@ def _room(reading: Reading, rooms: RoomTypes) -> tuple[RoomType, list[str]]:
     if reading.room is not None and not (reading.guessed and reading.room == "room"):
         guess = [f"{reading.room_words!r} is no room type that is known: {reading.room} was taken."]
         return rooms.rooms[reading.room], guess if reading.guessed else []
+    corners = [chunk.value for chunk in reading.parsed.facts if chunk.kind == "corner" and chunk.value in OF_CORNERS]
+    if corners:
+        return rooms.rooms[OF_CORNERS[corners[0]]], []
     kinds = {thing.noun.kind for thing in reading.parsed.things}
     usual = {kind for room in rooms.rooms.values() for kind in room.base}
     kinds |= {"single bed"} if any(kind.endswith(" bed") for kind in kinds - usual) else set()
@@ -323,8 +327,9 @@ def _belongs(kinds: set[str], room: RoomType) -> float:
     """Return how many of some kinds belong in a room; what always stands there counts double, and lacks where it is missing."""
     found = len(kinds & room.base.keys()) + len(kinds & {*room.base, *room.extras, *room.person})
     missing = (CATALOGUE.get(name) for name in room.base.keys() - kinds)
-    lights_and_rugs = [k for k in missing if k and (k.size[2] < FLAT_HEIGHT or (k.on_ceiling and not k.on_floor))]
-    return found - LACKING * (len(room.base.keys() - kinds) - len(lights_and_rugs))
+    # lights, rugs and what hangs or stands on others say little
+    slight = [k for k in missing if k and (k.size[2] < FLAT_HEIGHT or not k.on_floor)]
+    return found - LACKING * (len(room.base.keys() - kinds) - len(slight))
 
 
 def _seats(thing: NamedThing, links: Sequence[Link]) -> float:

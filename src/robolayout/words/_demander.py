@@ -51,6 +51,8 @@ class Demander(AtSides):
         turned = [(name, at) for name, at in turned if self._looks(name)[1:] and self._is(name, ("desk",))]
         self.looking = self.manned.union(name for name, _ in turned)
         self.manned |= {name for name, at in turned if at is not None and at.name in ("room", "door")}
+        # metres that are told to lie between two
+        self.metres = {two: link.metres for link, it in asked if link.relation == "apart" for two in it.twos}
         # metres that things take that stand between others
         amid = [it for link, it in asked if link.relation == "amid"]
         self.between = {b: min(self._asset(a).size[:2]) for it in amid for a in it.subjects for b in it.others}
@@ -239,6 +241,9 @@ class Demander(AtSides):
             return ways_of.TO_ANOTHER[ways_of.OTHER_SIDE[relation]]  # as one sees it who looks at it
         if relation == "end" and not self._is(b, ("table", *ways_of.SLEPT_ON)):
             return ways_of.TO_ANOTHER["end"][1:]  # "a fridge at the end of the counter"
+        if relation == "front" and self.metres.get((a, b), (0.0, 0.0))[1] > ways_of.AHEAD:  # "2.5 m in front of it"
+            looks = self._is(a, ways_of.SEATS) and self._is(b, (*ways_of.WATCHED, "stand"))
+            return ((("in_front_of", 0.0, self.metres[a, b][1]), *((("point_towards",),) * looks)),)
         watching = self._is(a, ways_of.SEATS) and self._is(b, ways_of.WATCHED) and a not in self.askew
         if relation == "front" and watching:
             return ways_of.BEFORE_WATCHED
@@ -260,14 +265,18 @@ class Demander(AtSides):
         return Demand(((near, stated("point_towards", AssetRef(a), AssetRef(b))) if turns else (near,),))
 
     def _opposite(self, it: Asked) -> Iterator[Demand]:
+        """Across from a thing, seats that look there side by side; from a place, looking at it."""
         if it.place and it.place.name == "room":
             yield from self._at_place(it.subjects, Place("side", ("far",)))
         elif it.place is not None:
             yield from self._facing(replace(it, groups=()))
-
-    def _opposite_each(self, a: str, b: str) -> Demand:
-        sat_on = self._is(a, ways_of.SEATS) and a not in self.askew
-        return by_ways(ways_of.OPPOSITE_SEATS if sat_on else ways_of.OPPOSITE, a, b)
+        last: dict[str, str] = {}
+        for a, b in it.twos:
+            sat_on = self._is(a, ways_of.SEATS) and a not in self.askew
+            demand = by_ways(ways_of.OPPOSITE_SEATS if sat_on else ways_of.OPPOSITE, a, b)
+            beside = sat_on and b in last and alike(self.scene, [last[b], a])
+            yield Demand((*by_ways(ways_of.ABREAST, a, last[b]).ways, *demand.ways)) if beside else demand
+            last[b] = a
 
     def _facing(self, it: Asked) -> Iterator[Demand]:
         """Looking at a thing, a door or a window; a desk faces what one sees who sits at it."""

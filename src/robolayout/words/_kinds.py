@@ -28,22 +28,30 @@ def settle_kinds(parsed: Parsed) -> None:
     _settle_by_company(parsed, heads)
     _settle_visitors(parsed)
     for thing in parsed.things:
-        if thing.noun.said == "table" and {"small", "little"} & {*thing.adjectives}:  # "a small wooden table"
-            thing.adjectives = tuple(word for word in thing.adjectives if word not in ("small", "little"))
-            kind, *others = phrase_index()["small table"]
-            thing.noun = replace(thing.noun, words=kind, kind=kind, said="small table", others=tuple(others))
-        noun = thing.noun
-        if noun.said == "keyboard" and music:
+        if thing.noun.said == "keyboard" and music:
             _take(thing, "digital piano")
-        if noun.said == "small table" and (alone or thing.promising):
-            _take(thing, "round table" if alone else "dining table")
-            thing.adjectives = (*thing.adjectives, "small")
-        rounded = f"round {'table' if noun.kind in (*small.TABLES, 'conference table') else noun.kind}"
-        if small.ROUND & {*thing.adjectives} and rounded in CATALOGUE:
-            _take(thing, rounded)
+        _settle_table(thing, heads, alone=alone)
     for link in parsed.links:
         _settle_by_others(link)
         _settle_by_place(link)
+
+
+def _settle_table(thing: NamedThing, heads: Set[str], *, alone: bool) -> None:
+    """Take small tables for those to eat at where chairs go with them, for side tables by armchairs; round ones for round ones."""
+    if thing.noun.said == "table" and {"small", "little"} & {*thing.adjectives}:  # "a small wooden table"
+        thing.adjectives = tuple(word for word in thing.adjectives if word not in ("small", "little"))
+        kind, *others = phrase_index()["small table"]
+        thing.noun = replace(thing.noun, words=kind, kind=kind, said="small table", others=tuple(others))
+    noun = thing.noun
+    if noun.said == "small table" and (alone or thing.promising):
+        _take(thing, "round table" if alone else "dining table")
+        thing.adjectives = (*thing.adjectives, "small")
+    seated = heads & small.LOUNGE and not (heads & {"chair", "stool", "desk"} or thing.promising)
+    if seated and noun.kind == "round table" and {"small", "little"} & {*thing.adjectives}:
+        _take(thing, "side table")  # "two armchairs and a small round table"
+    rounded = f"round {'table' if noun.kind in (*small.TABLES, 'conference table') else noun.kind}"
+    if small.ROUND & {*thing.adjectives} and rounded in CATALOGUE:
+        _take(thing, rounded)
 
 
 def _settle_by_company(parsed: Parsed, heads: Set[str]) -> None:

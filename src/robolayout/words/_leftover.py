@@ -63,12 +63,8 @@ def _says(chunk: Chunk, after: Sequence[Chunk]) -> bool:
     """Return whether a chunk asks for something: of the small words numbers do, and verbs of place with no relation after them."""
     if chunk.kind == "part" and chunk.value in ("room", "floor"):
         return bool(chunk.number and chunk.number > 1)
-    led = [other.kind for other in after[:2]]
-    if (
-        chunk.kind == "part"
-        and chunk.value == "side"
-        and (led == ["verb", "rel"] or (chunk.det and led[:1] == ["rel"]))
-    ):
+    led, side = [other.kind for other in after[:2]], (chunk.kind, chunk.value) == ("part", "side")
+    if side and (led == ["verb", "rel"] or (chunk.det and led[:1] == ["rel"])):
         return False  # "its headboard touches the wall", "a bed whose headboard is against the wall"
     if chunk.kind == "verb" and chunk.value in small.LED:
         return not any(other.kind == "rel" for other in after)

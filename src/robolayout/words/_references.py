@@ -231,6 +231,16 @@ class References(Spoken):
             of = []
         return of or [Place("side", (relation,))]
 
+    def _said_again(self, chunk: Chunk, subjects: Sequence[Mention], objects: Sequence[Item]) -> bool:
+        """Return whether a relation says no more than the last one: "a plant flanks the door on each side", "back to back in pairs"."""
+        last = self.said.links[-1] if self.said.links else None
+        if last is None:
+            return False
+        if {last.relation, chunk.value} == {"backs", "pairs"} and named(last.subjects) == named(subjects):
+            self.said.links[-1] = replace(last, relation="backs")
+            return True
+        return last.relation == chunk.value == "flank" and last.subjects == tuple(self.acted) and not objects
+
     def _counted(self, chunk: Chunk, subjects: Sequence[Mention], objects: Sequence[Item]) -> Sequence[Mention]:
         """Settle how many things are asked for that stand at each of several, at walls or in rows; return them."""
         shared = chunk.value in small.SHARED_OUT and all(m.thing.number in (None, 1) for m in subjects)

@@ -229,7 +229,7 @@ class Relating(About):
             objects = [item for item in objects if item not in subjects]
         if not objects and not subjects and chunk.value in ("left", "right") and self.fronted is not None:
             objects = list(self.fronted[1])  # "beside the sofa, on the right, a lamp"
-        if chunk.value in ("left", "right", "middle") and not objects and (top := self._on_what(subjects)):
+        if not objects and (top := self._on_what(chunk, subjects)):
             half = (f"{chunk.value} half", tuple(subjects), tuple(top), chunk.start, chunk.end)
             self.said.links += [Link(*half)] * (chunk.value != "middle")
             chunk, objects = replace(chunk, value="on"), top
@@ -239,22 +239,14 @@ class Relating(About):
             subjects[0].thing.number = chunk.number  # "in four rows of six"
         self._relate(chunk, subjects, objects, first)
 
-    def _on_what(self, subjects: Sequence[Mention]) -> list[Item]:
+    def _on_what(self, chunk: Chunk, subjects: Sequence[Mention]) -> list[Item]:
         """Return the top whose left, right or middle is meant: "a desk with a lamp on the left and a computer in the middle"."""
-        last = self.said.links[-1] if self.said.links else None
-        before = last.objects if last is not None and (last.relation, last.start >= self.began) == ("on", True) else ()
+        here = [link for link in self.said.links if link.start >= self.began]
+        halved = any(link.relation.endswith(" half") for link in here)
+        before = here[-1].objects if here and here[-1].relation == "on" else ()
         top = [m for m in (self.holder if self.having else mentions(before)) if m.thing.head in TOPS]
-        return [*top] if subjects and all(m.thing.category.on_object for m in subjects) else []
-
-    def _said_again(self, chunk: Chunk, subjects: Sequence[Mention], objects: Sequence[Item]) -> bool:
-        """Return whether a relation says no more than the last one: "a plant flanks the door on each side", "back to back in pairs"."""
-        last = self.said.links[-1] if self.said.links else None
-        if last is None:
-            return False
-        if {last.relation, chunk.value} == {"backs", "pairs"} and named(last.subjects) == named(subjects):
-            self.said.links[-1] = replace(last, relation="backs")
-            return True
-        return last.relation == chunk.value == "flank" and last.subjects == tuple(self.acted) and not objects
+        sided = chunk.value in ("left", "right") or (chunk.value == "middle" and halved)
+        return [*top] if sided and subjects and all(m.thing.category.on_object for m in subjects) else []
 
     def _as_many(self, chunk: Chunk, subjects: Sequence[Mention], objects: Sequence[Item], *, every: bool) -> None:
         """Count what each of some things has: "each facing a mirror", "four chairs facing mirrors"."""
@@ -263,7 +255,7 @@ class Relating(About):
             if every and (item.det == "a" or told or "own" in thing.adjectives) and thing.times == 1:
                 thing.times = subjects[0].thing.count
             bare = thing.head == "mirror" and thing.number is None and thing.plural
-            if bare and chunk.value == "facing" and subjects[0].several:
+            if bare and not item.det and chunk.value == "facing" and subjects[0].several:
                 thing.number = subjects[0].count
 
     def _held_by(self, chunk: Chunk, subjects: list[Mention], objects: list[Item]) -> tuple[list[Mention], list[Item]]:

@@ -180,9 +180,7 @@ class Spoken:
         several = [m for m in earlier if m.thing.count > 1]
         if several and earlier[-1:] == several[-1:]:
             lines = relation == "amid" and [m.count > 2 for m in several[-2:]] == [True, True]
-            return several[
-                -2 if lines else -1 :
-            ]  # "three beds along one wall, three lockers along the other, a table between them"
+            return several[-2:] if lines else several[-1:]  # "three beds along a wall, three lockers along another"
         if len(earlier) == 1:  # "a sofa facing the TV and a table between them"
             earlier += [m for m in to[-1:] if m.thing is not earlier[0].thing]
         before = self.before
