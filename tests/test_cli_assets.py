@@ -23,7 +23,7 @@ def test_what_is_listed_is_drawn(tmp_path: Path, command: Callable[..., Ran]) ->
     sheet = tmp_path / "textiles.png"
     assert command("assets", "textiles", "--pictures", sheet).code == 0
     with Image.open(sheet) as picture:
-        assert picture.size == (400, 450)
+        assert picture.size == (600, 450)
         assert len(picture.convert("RGB").getcolors(200_000) or ()) > 100
 
 

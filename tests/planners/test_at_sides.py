@@ -237,3 +237,12 @@ def test_rooms_that_nobody_names_are_what_their_things_say() -> None:
     assert not of(lounge, "reception_desk")
     work = made("a workspace with a standing desk, a monitor, a chair and a whiteboard on the wall")
     assert not of(work, "server_rack")
+
+
+def test_chairs_on_all_sides_and_things_on_opposite_walls() -> None:
+    dining = made("a dining room with a table and chairs on all sides")
+    assert dining.report.ok
+    assert (len(of(dining, "dining_table")), len(of(dining, "chair"))) == (1, 4)
+    bedroom = made("a bedroom with a wardrobe and a dresser on opposite walls")
+    assert bedroom.report.ok
+    assert math.cos(bedroom.layout["wardrobe-0"].yaw - bedroom.layout["dresser-0"].yaw) < -0.99

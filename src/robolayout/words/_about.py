@@ -221,6 +221,8 @@ class About(References):
         for seat in seats:
             if seat.per_side(chunk, place, own=seat.det == "a") and seat.thing not in self.dealt:
                 seat.thing.number = (4 if square else 2) * (seat.thing.number or 1)
+            elif place is not None and place.det == "all" and seat.thing.plural and seat.thing.number is None:
+                seat.thing.number = 4  # "chairs on all sides"
         self.acted = list(seats)
         at = [
             link
@@ -331,7 +333,7 @@ class About(References):
         does = {*self._ahead(-1).adjectives} & small.PLURAL_DOES and not self.relative  # "a sofa and a chair face it"
         if len(self.group) > 1 and (does or self._shared(relation)):
             top, seat = (mention.thing.head for mention in self.group[-2:])
-            own = top in TOPS and seat in ("chair", "stool") and self._ahead().kind == "part"
+            own = top in TOPS and seat in ("chair", "stool") and self._ahead().kind == "part" and following != "side"
             return self.group[: len(self.group) - own]  # "a table and four chairs by the window"
         on_tops = self.target is not None and self.target.thing.category.on_object
         if self.target is not None and relation == "on" and following != "wall" and last:
@@ -376,8 +378,9 @@ class About(References):
         again = again or (ends and (relation in small.NEARNESS or (whole and relation in ("flank", "behind"))))
         begun = next(i for i, c in enumerate(self.chunks) if c.end == last.spans[-1][1])
         closed = self.chunks[begun - 1].kind == "and"
-        if self.chunks[begun - 1].value == LISTED and not again:  # "two shelves, a low one and a tall one, by the door"
-            return True
+        across = closed and to.value == "wall" and to.plural and "opposite" in to.adjectives
+        if (self.chunks[begun - 1].value == LISTED or across) and not again:
+            return True  # "two shelves, a low one and a tall one, by the door", "a bed and a desk on opposite walls"
         had = "with" if relation == "flank" else ""
         own = (k for k in self.said.links if k.start >= self.began and k.relation != had)
         if again or not closed or self.target is not None or {m.thing for k in own for m in k.subjects} & {*earlier}:
