@@ -11,6 +11,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from functools import cache
 from itertools import product
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -160,7 +161,7 @@ def _soft_faces() -> Faces:
     return _outward(corners * np.where(np.tile(np.eye(3), (8, 1)) > 0, 1.0, 0.7), np.array(faces))
 
 
-def _outward(points: Array, faces: NDArray[np.int64]) -> Faces:
+def _outward(points: Array, faces: NDArray[np.signedinteger[Any]]) -> Faces:
     """Turn the triangles of a convex shape about the origin counter-clockwise, seen from outside."""
     a, b, c = np.moveaxis(points[faces], 1, 0)
     inside_out = (np.cross(b - a, c - a) * a).sum(axis=1) < 0
@@ -171,7 +172,4 @@ def wrapped(points: Array) -> Faces:
     """Return the triangles of the convex hull of points, counter-clockwise seen from outside."""
     from scipy.spatial import ConvexHull  # takes a sixth of a second to import
 
-    hull = ConvexHull(points)
-    a, b, c = (points[hull.simplices[:, i]] for i in range(3))
-    inside_out = (np.cross(b - a, c - a) * hull.equations[:, :3]).sum(axis=1) < 0
-    return np.where(inside_out[:, None], hull.simplices[:, ::-1], hull.simplices).astype(np.int32)
+    return _outward(points - points.mean(axis=0), ConvexHull(points).simplices)

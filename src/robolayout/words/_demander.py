@@ -224,9 +224,14 @@ class Demander(AtSides):
             used = stated("in_front_of", AssetRef(a), AssetRef(b), *past)
             seated = self._sits_behind(a, b)
             demand = single(*([used] if b in self.looking else [used, back] if seated else [back]))
-            beside = b in last and alike(self.scene, [last[b], a])
-            yield Demand((*by_ways(ways_of.ABREAST, a, last[b]).ways, *demand.ways)) if beside else demand
+            yield self._or_abreast(a, last.get(b), demand)
             last[b] = a
+
+    def _or_abreast(self, a: str, before: str | None, demand: Demand) -> Demand:
+        """Return a demand that is met, too, where a thing stands side by side with one like it of which the same is asked."""
+        if before is None or not alike(self.scene, [before, a]):
+            return demand
+        return Demand((*by_ways(ways_of.ABREAST, a, before).ways, *demand.ways))
 
     def _sits_behind(self, a: str, b: str) -> bool:
         """Return whether who sits on a thing that is behind another uses that from there."""
@@ -274,8 +279,7 @@ class Demander(AtSides):
         for a, b in it.twos:
             sat_on = self._is(a, ways_of.SEATS) and a not in self.askew
             demand = by_ways(ways_of.OPPOSITE_SEATS if sat_on else ways_of.OPPOSITE, a, b)
-            beside = sat_on and b in last and alike(self.scene, [last[b], a])
-            yield Demand((*by_ways(ways_of.ABREAST, a, last[b]).ways, *demand.ways)) if beside else demand
+            yield self._or_abreast(a, last.get(b) if sat_on else None, demand)
             last[b] = a
 
     def _facing(self, it: Asked) -> Iterator[Demand]:

@@ -12,7 +12,7 @@ from functools import partial
 
 from robolayout.assets import resting_place
 from robolayout.constraints import AssetRef
-from robolayout.constraints.around import Around, left_gap
+from robolayout.constraints.around import Around, Slot, left_gap
 from robolayout.scene import Scene
 from robolayout.solve.build.member import Member, box_of
 from robolayout.solve.build.tops import Top
@@ -115,9 +115,8 @@ class ClusterBuilder:
             ax, ay = _half(item)
             row = sides[:i].count(side) - (sides.count(side) - 1) / 2 * bool(item.joined.side)
             x, sign = row * (2 * ay + 0.1), 1.0 if side == "left" else -1.0
-            at, gap = partial(_flanking, x, sign, by + ax), item.joined.gap
-            if _seats(item):
-                gap = min(gap, left_gap(self.scene, [AssetRef(item.name)], AssetRef(anchor.name), at))
+            at = partial(_farther, (x, sign * (by + ax)), (0.0, sign), -sign * math.pi / 2)
+            gap = self._left_gap(anchor, item, at) if _seats(item) else item.joined.gap
             found.append(Member(item.name, *at(gap)[0], side=side))
         return found
 
@@ -144,11 +143,14 @@ class ClusterBuilder:
             ax, ay = _half(item)
             yaw, gap = item.joined.yaw or 0.0, item.joined.gap
             if _seats(item) and not taken:
-                at = partial(_before, sign * (edge + ax), sign, y - ay, yaw)
-                gap = min(gap, left_gap(self.scene, [AssetRef(item.name)], AssetRef(anchor.name), at))
+                gap = self._left_gap(anchor, item, partial(_farther, (sign * (edge + ax), y - ay), (sign, 0.0), yaw))
             found.append(Member(item.name, sign * (edge + gap + ax), y - ay, yaw, side=side))
             y -= 2 * ay + 0.12
         return found
+
+    def _left_gap(self, anchor: Want, item: Want, at: Callable[[float], Sequence[Slot]]) -> float:
+        """Return how far from its anchor people leave a seat, no farther than is said."""
+        return min(item.joined.gap, left_gap(self.scene, [AssetRef(item.name)], AssetRef(anchor.name), at))
 
     def _around(self, anchor: Want, items: Sequence[Want], placed: Sequence[Member]) -> list[Member]:
         """At the slots of the relation `around`."""
@@ -175,14 +177,9 @@ def _seats(want: Want) -> bool:
     return want.category.movable and want.asset.on_floor
 
 
-def _before(x: float, sign: float, y: float, yaw: float, gap: float) -> list[tuple[float, float, float]]:
-    """Return the place of a seat `gap` metres farther out than x."""
-    return [(x + sign * gap, y, yaw)]
-
-
-def _flanking(x: float, sign: float, y: float, gap: float) -> list[tuple[float, float, float]]:
-    """Return the place of a seat `gap` metres farther out than y on one side, looking back."""
-    return [(x, sign * (y + gap), -sign * math.pi / 2)]
+def _farther(at: tuple[float, float], out: tuple[float, float], yaw: float, gap: float) -> list[Slot]:
+    """Return the place of a seat `gap` metres farther out than a point."""
+    return [(at[0] + out[0] * gap, at[1] + out[1] * gap, yaw)]
 
 
 def _slot(items: Sequence[Want]) -> str:
