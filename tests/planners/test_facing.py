@@ -66,7 +66,7 @@ def test_who_sits_behind_a_reception_desk_looks_at_the_door_across_it() -> None:
 @pytest.mark.parametrize(
     ("text", "kind", "rows", "metres"),
     [
-        ("a warehouse with four rows of racks, aisles 1.5 m wide", "shelving_unit", 4, 1.5),
+        ("a warehouse with four rows of racks, aisles 1.5 m wide", "pallet_rack", 4, 1.5),
         ("a library with bookshelves in three rows, 1.2 m apart", "bookshelf", 3, 1.2),
         ("an office with twelve desks in three rows at least 1.5 m apart", "desk", 3, 1.5),
     ],

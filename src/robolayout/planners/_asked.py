@@ -278,13 +278,20 @@ def _join(relation: Relation, a: Cast, b: Cast, asked: Mapping[str, Relation], p
             return _beside(GAPS.seated, usual_say("beside"))
         case InFrontOf(max_gap=most) if most < GAPS.close:
             gap = GAPS.watching if b.role.name == "tv" else GAPS.seated if a.role.name == "seat" else GAPS.before
-            usual = known is not None and known.slot in ("front", "around")
-            return known if usual else Join("front", (), gap=gap, loose=True, faces="anchor")
+            usual = known if known is not None and known.slot in ("front", "around") else None
+            return usual or _before(a, b, gap)
         case Relation(name="behind"):
             usual = known is not None and known.slot == "behind"
             return known if usual else _at_its_back(a, passage, getattr(asked.get("align_with"), "angle", 0.0))
         case _:
             return None
+
+
+def _before(a: Cast, b: Cast, gap: float) -> Join:
+    """Return how a thing joins another that it is asked to be in front of: looking at it; a chest opens away from a bed."""
+    if a.role.name == "box" and b.role.name.endswith("bed"):
+        return Join("front", (), gap=gap, loose=True, faces="same", say=usual_say("front")[1:])
+    return Join("front", (), gap=gap, loose=True, faces="anchor")
 
 
 def _at_one_side(relation: Relation, asked: Mapping[str, Relation]) -> Join | None:

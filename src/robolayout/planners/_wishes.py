@@ -6,7 +6,7 @@ import math
 from collections import Counter
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property
+from functools import cached_property, reduce
 
 from robolayout._errors import SceneError
 from robolayout._reading import LIMITS
@@ -42,6 +42,9 @@ GENERAL = ("desk", "bed", "table", "chair", "seat", "shelf", "sink", "counter", 
 
 LACKING, LIKELY = 0.6, 0.9
 """What a room loses by each thing that it always has and that is not named, and what makes it likely, in things that belong there."""
+
+SLEPT_ON = {"bed", "single bed"}
+"""Things that tell that somebody sleeps in a room."""
 
 CARRIED = 0.5
 """Square metres of floor that a thing takes at the most to be put on another, where it is asked to stand there."""
@@ -194,7 +197,7 @@ class RoomWishes:
         items = [*([room.tables] if room.tables else []), *room.person, *usual]
         if word in items or (word in CATALOGUE and kind != word):
             return "single bed" if kind == "bed" and thing.times > 1 else kind  # "two children, each with a bed"
-        low = LOW if thing.sat_at else ()
+        low = LOW if thing.sat_at or thing.people else ()
         fits = [name for name in items if name.split()[-1] == word and name.split()[0] != word and name not in low]
         if thing.noun.said == "small table":  # in a game room no pool table, beside a sofa no coffee table
             fits = [name for name in fits if name in SMALL and (thing.noun.others or kind not in LOW)]
@@ -306,7 +309,8 @@ def _room(reading: Reading, rooms: RoomTypes) -> tuple[RoomType, list[str]]:
     """Return the room type: as named, else the nearest one, else the one that most of the things belong in."""
     if reading.room is not None and not (reading.guessed and reading.room == "room"):
         guess = [f"{reading.room_words!r} is no room type that is known: {reading.room} was taken."]
-        return rooms.rooms[reading.room], guess if reading.guessed else []
+        room = reduce(RoomType.sharing, (rooms.rooms[name] for name in (reading.room, *reading.joined)))
+        return room, guess if reading.guessed else []
     corners = [chunk.value for chunk in reading.parsed.facts if chunk.kind == "corner" and chunk.value in OF_CORNERS]
     if corners:
         return rooms.rooms[OF_CORNERS[corners[0]]], []
@@ -316,11 +320,19 @@ def _room(reading: Reading, rooms: RoomTypes) -> tuple[RoomType, list[str]]:
     if not kinds and not reading.parsed.facts:
         known = ", ".join(sorted(rooms.rooms))
         raise SceneError(f"the sentence names no room; known room types: {known}; words are read in English.")
-    scores = {name: _belongs(kinds, room) for name, room in rooms.rooms.items()}
+    likely = _slept_in(rooms.rooms, kinds) if kinds & SLEPT_ON else rooms.rooms
+    scores = {name: _belongs(kinds, room) for name, room in likely.items()}
     best = max(scores, key=lambda name: (scores[name], name == "room"))
-    best = best if scores[best] >= LIKELY else "room"
+    best = best if scores[best] >= LIKELY or kinds & SLEPT_ON else "room"
     named = f"{reading.room_words!r} is no room type that is known" if reading.guessed else "No room was named"
     return rooms.rooms[best], [f"{named}: {best} was taken."]
+
+
+def _slept_in(rooms: Mapping[str, RoomType], kinds: set[str]) -> dict[str, RoomType]:
+    """Return the rooms in which somebody sleeps; a home of one room only where one lives or cooks there, too."""
+    lived = {*rooms["studio"].base, *rooms["kitchen"].base} - {*rooms["bedroom"].base, "desk", "office chair", "chair"}
+    found = {name: room for name, room in rooms.items() if SLEPT_ON & {*room.base, *room.person}}
+    return {name: room for name, room in found.items() if lived & kinds or name != "studio"}
 
 
 def _belongs(kinds: set[str], room: RoomType) -> float:

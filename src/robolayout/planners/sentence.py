@@ -238,7 +238,8 @@ def _blocks(wishes: RoomWishes) -> Iterator[tuple[float, float]]:
             beside = (0.0, SIZES.around, SIZES.before)  # what stands beyond, at no side, one or two
             yield wide + beside[across], deep + beside[ahead]
         spaced = link.relation == "apart" and not link.objects and len(line) == 1 and line[0].thing.count >= CROWD
-        for thing in [one.thing for one in link.subjects if spaced or (link.relation == "rows" and link.rows > 1)][:1]:
+        crowd = link.relation == "rows" and line and (link.rows > 1 or (not link.rows and line[0].thing.count >= CROWD))
+        for thing in [one.thing for one in link.subjects if spaced or crowd][:1]:
             kind, rows = wishes.kind(thing), thing.rows if spaced else link.rows
             depth, width, height = wishes.kinds[kind].size
             rows, gap = (rows, 0.0) if rows > 0 else (math.ceil(math.sqrt(thing.count)), link.metres[0])

@@ -23,6 +23,7 @@ PICKING, RELATING, NAMED = (_WORDS[name] for name in ("picking", "relating", "na
 JOINED, ALIKE, EVERY, SEVERAL = (_ROWS[name] for name in ("joined", "alike", "every", "several"))
 SHARES: dict[str, float] = _DATA["shares"]
 OF_ROOMS: dict[str, dict[str, str]] = _DATA["of_rooms"]
+AREAS: dict[str, str] = _DATA["areas"]
 ADDING, ROUND_IT = _WORDS["adding"], _WORDS["round_it"]
 NEARNESS, LAID, ZONES, OF_THE_ROOM = (_WORDS[name] for name in ("nearness", "laid", "zones", "of_the_room"))
 ORDERS, ALONE, CLOSE, SHARED = (_WORDS[name] for name in ("orders", "alone", "close", "shared"))

@@ -61,8 +61,11 @@ def _settle_by_company(parsed: Parsed, heads: Set[str]) -> None:
     pets = bool(lives) and not rooms and all(kind == "body" and body in small.PETS for kind, body in lives)
     kinds = {thing.noun.kind for thing in parsed.things}
     bar = kinds & {"kitchen island", "bar counter"} and not heads & {"table", "desk", "piano", "bench"}
+    played = kinds & small.INSTRUMENTS and not heads & {"table", "desk"}
     for thing in parsed.things:
-        if thing.noun.words == "stool" and bar:
+        if thing.noun.kind == "bench" and played and thing.count == 1:
+            thing.noun = replace(thing.noun, kind="stool", others=())  # a piano's bench
+        elif thing.noun.words == "stool" and bar:
             _take(thing, "bar stool")
         elif thing.noun.kind == "kitchen sink" and "bathroom" in rooms:
             _take(thing, "bathroom vanity")

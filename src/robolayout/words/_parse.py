@@ -17,7 +17,7 @@ from robolayout.words._lexicon import grammar
 from robolayout.words._relations import AIDS, Relating
 from robolayout.words._said import Link, Mention, NamedThing, Parsed, Place, mentions, place_in, place_of, sides
 from robolayout.words._tokens import count_of
-from robolayout.words._ways import SEATS, TOPS
+from robolayout.words._ways import SEATS, SLEPT_ON, TOPS
 
 SAID_OF = {
     "stacked": "stacked", "piled": "stacked", "diagonal": "diagonal", "angled": "diagonal", "walled": "wall",
@@ -77,7 +77,8 @@ class Parser(Relating):
 
     def _on_filler(self, chunk: Chunk) -> None:
         following = self._ahead()
-        if chunk.value == "for" and following.kind == "filler" and (count_of(following.value) or 0) > 1:
+        tops = chunk.value == "of" and bool(self.group) and self.group[-1].thing.head in TOPS  # "six tables of four"
+        if (chunk.value == "for" or tops) and following.kind == "filler" and (count_of(following.value) or 0) > 1:
             self._for_people(Chunk("people", chunk.start, following.end, number=count_of(following.value)))
         if chunk.value == "all" and self._ahead().kind == "style" and self.recent:
             self.subject, self.verb = list(self.recent), True  # "a sofa and two chairs, all grey"
@@ -233,7 +234,15 @@ class Parser(Relating):
             return
         joined = self._joined()
         if self.having and self.holder and self._put_on(mention, self.holder[0], joined=joined):
-            self.said.links.append(Link("with", (mention,), tuple(self.holder), chunk.start, chunk.end))
+            # "a bed with two night stands and lamps"
+            borne = (
+                joined
+                and mention.topped
+                and self.holder[0].thing.head in SLEPT_ON
+                and self.group[-1].thing.head == "stand"
+            )
+            bearers = self.group[-1:] if borne else self.holder
+            self.said.links.append(Link("with", (mention,), tuple(bearers), chunk.start, chunk.end))
         elif joined and not _accessory(mention):
             self.listed = True  # "a table with six stools and shelves along the wall"
         joined = not self._alone(mention, joined=joined) and joined
@@ -364,6 +373,7 @@ class Parser(Relating):
         if chunk.value == "room" or (chunk.value == "side" and self._is_zone(chunk)):
             self._new_zone(chunk)
             self._understood(*[chunk] * (chunk.value == "side"))
+            self._for_what(chunk)
         if (self._ahead(-3).kind, self._ahead(-2).kind) == ("thing", "with"):
             self._fact(replace(chunk, kind="function"))  # "a wardrobe with two sliding doors"
             return
@@ -381,14 +391,6 @@ class Parser(Relating):
             self._link(Chunk("rel", chunk.start, chunk.end, "hanging"), self.acted, [place_of(chunk)])
         elif chunk.value in ("floor", "wall"):
             self._on_surface(chunk)
-
-    def _is_zone(self, chunk: Chunk) -> bool:
-        """Return whether a side is a part of the room by what one does there: "the living part is on the left"."""
-        if [c.kind for c in self.chunks[self.at : self.at + 2]] in (["filler", "room"], ["filler", "part"]):
-            self._understood(*self.chunks[self.at : self.at + 2])
-            self.at += 2  # "the front half of the room"
-        told = chunk.det in ("the", "a") and len(chunk.adjectives) == 1 and not {*chunk.adjectives} & {*grammar().sizes}
-        return bool(told) and not self.group and self._ahead().kind in ("verb", "rel", "with")
 
     def _on_opening(self, chunk: Chunk) -> None:
         """A door or window: it is asked for where a wall is told, or a number, or "a"."""

@@ -220,6 +220,14 @@ class References(Spoken):
             here = [k.subjects for k in self.said.links[-1:] if k.start >= self.began and k.relation != "with"]
             # "a washer and a dryer along a wall, an ironing board opposite"
             return faced or [m for each in here for m in each[:1] if m.thing not in named(self.about)]
+        last = self.said.links[-1] if self.said.links else None
+        if (
+            relation == "above"
+            and last is not None
+            and last.relation in ("abreast", "row")
+            and last.start >= self.began
+        ):
+            return [m for m in last.subjects if m.thing not in named(self.about)]  # "side by side, shelves above"
         if self.holder or relation not in ("left", "right"):
             return self.holder or self._meant("it", relation)
         side, of = self.contrast

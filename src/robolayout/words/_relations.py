@@ -172,7 +172,14 @@ class Relating(About):
             self._relate_to(chunk, subjects, objects, first, every=every)
 
     def _along_an_aisle(self, chunk: Chunk) -> bool:
-        """Note two columns of benches: "five pews on each side of an aisle" are ten."""
+        """Note what an aisle parts: two rows, or two columns of benches: "five pews on each side of an aisle" are ten."""
+        rows = [link for link in self.said.links if link.relation == "rows" and link.start >= self.began]
+        if rows and chunk.value in ("amid", "middle") and self._ahead(-2).value == "aisle":
+            self._objects(chunk)  # "two rows with an aisle between them"
+            self._understood(self.chunks[self.chunks.index(chunk) - 1])
+            start, width = self.chunks[self.chunks.index(chunk) - 1].start, (MIDDLE_AISLE, math.inf)
+            self.said.links.append(Link("apart", rows[-1].subjects, (), start, self._ahead(-1).end, width))
+            return True
         benches = [mention.thing for mention in self.group[-1:] if mention.thing.head in ("pew", "bench")]
         if chunk.value != "flank" or self._ahead().value != "aisle" or not benches:
             return False

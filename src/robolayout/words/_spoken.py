@@ -93,6 +93,24 @@ class Spoken:
         self.group, self.subject, self.acted, self.holder = [], [], [], []
         self.having = False
 
+    def _for_what(self, chunk: Chunk) -> None:
+        """Note what a part of the room is for of which nothing else is said: "a bedroom with an office area"."""
+        alone = chunk.value == "room" and chunk.det == "a" and self._ahead().kind in ("", "stop", "and", "comma")
+        if not alone or not chunk.adjectives or self._previous(chunk) not in ("", "and", ","):
+            return
+        meant = small.AREAS.get(chunk.adjectives[-1], "")
+        if meant and self.said.facts:
+            self.said.facts.append(replace(chunk, kind="corner", value=meant))
+            self._understood(chunk)
+
+    def _is_zone(self, chunk: Chunk) -> bool:
+        """Return whether a side is a part of the room by what one does there: "the living part is on the left"."""
+        if [c.kind for c in self.chunks[self.at : self.at + 2]] in (["filler", "room"], ["filler", "part"]):
+            self._understood(*self.chunks[self.at : self.at + 2])
+            self.at += 2  # "the front half of the room"
+        told = chunk.det in ("the", "a") and len(chunk.adjectives) == 1 and not {*chunk.adjectives} & {*grammar().sizes}
+        return bool(told) and not self.group and self._ahead().kind in ("verb", "rel", "with")
+
     def _ahead(self, more: int = 0) -> Chunk:
         """Return the chunk that follows, or one so many further on; before the one that is read is -2."""
         at = self.at + more

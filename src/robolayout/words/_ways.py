@@ -159,6 +159,7 @@ IN_A_CHAIN: Mapping[str, Ways] = {
     "abreast apart": ((("near", NEAR),),),  # something stands between them
     "parallel": _PARALLEL,
     "crossed": _BY_RIGHT_ANGLE,
+    "ell": tuple((("near", NEAR), *way) for way in _BY_RIGHT_ANGLE),
     "stacked": ((("on_top_of",),),),
     "tiered": ((("above",),),),
 }

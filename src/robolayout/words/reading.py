@@ -26,6 +26,12 @@ LONGEST = 4000
 BEFORE_A_PLACE = frozenset(("filler", "verb", "style", "measure", "comma", "colon", "pron", "other", "function"))
 """Kinds of chunks that may stand before the place that a text begins with."""
 
+SHARING, JOINING = (
+    ("kitchen", "living room", "dining room", "office", "bedroom", "library"),
+    {"and", "with", "a", "an", ",", "&", "/"},
+)
+"""Rooms that may share one floor, and what stands between their names where they do."""
+
 MOST_OF_A_KIND = 200
 """Largest count that is furnished for."""
 
@@ -58,6 +64,21 @@ class Reading:
     def room_words(self) -> str:
         """The words that name the room."""
         return _words(self.placed, self.words) if self.placed is not None else ""
+
+    @property
+    def joined(self) -> list[str]:
+        """Rooms that share the floor of the one that is named: "an open plan kitchen and living room", "with a dining area"."""
+        rooms = [chunk for chunk in self.parsed.facts if chunk.kind == "room"]
+        first = [at for at, chunk in enumerate(rooms) if chunk is self.placed and chunk.value in SHARING][:1]
+        if not first:
+            return []
+        found, last = [f"{word} room" for word in rooms[first[0]].adjectives], rooms[first[0]]
+        for chunk in rooms[first[0] + 1 :]:
+            between = {word.text for word in self.words[last.end : chunk.start]}
+            if not between <= JOINING or (chunk.det == "the" and last is self.placed):
+                break
+            found, last = [*found, chunk.value], chunk
+        return list(dict.fromkeys(name for name in found if name in SHARING and name != self.room))
 
     def measure(self, kind: str) -> tuple[float, ...] | None:
         """Return the values of the first measure of a kind, None if none is given."""

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import math
 import tomllib
+from collections import Counter
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from functools import cache
@@ -10,6 +12,9 @@ from importlib.resources import files
 
 LISTS = ("words", "size", "floors", "zones")
 """Fields of a room type that are lists in the file."""
+
+SHARED, OBLONG = 0.85, 1.35
+"""Share of the floors of two rooms that one has which is both, and by how much it is longer than wide."""
 
 
 @dataclass(frozen=True)
@@ -30,6 +35,22 @@ class RoomType:
     agent: str | None = None  # the body that such a room is usually for
     height: float = 2.6  # usual wall height in metres
     floors: tuple[str, ...] = ("oak planks", "walnut planks", "pale ash planks")  # what may lie on the floor
+
+    def sharing(self, other: RoomType) -> RoomType:
+        """Return it with what another room has, on one floor: an open plan kitchen and living room."""
+        base = Counter(self.base) + Counter(other.base)
+        extras = Counter(self.extras) | Counter(other.extras)
+        area = SHARED * (math.prod(self.size) + math.prod(other.size))
+        return replace(
+            self,
+            size=(math.sqrt(area * OBLONG), math.sqrt(area / OBLONG)),
+            base=base,
+            extras={name: count for name, count in extras.items() if name not in base},
+            person={**self.person, **other.person},
+            zones=(*self.zones, *other.zones),
+            people=max(self.people, other.people),
+            tables=self.tables or other.tables,
+        )
 
 
 @dataclass(frozen=True)

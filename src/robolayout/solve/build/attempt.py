@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections import Counter
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import partial
@@ -32,6 +33,7 @@ class Costs:
     shut: float = 18.0  # cost of a place where a door or drawer does not open
     checked: int = 300  # best places that are checked exactly before one is taken
     trials: int = 8  # places for which it is found out what they cut off
+    each_way: int = 2  # most of these of one grid along the room, and as many across it
     close: float = 0.3
     widen: float = 0.04
     """Metres between places of which both are tried, and how much more for each one that did harm."""
@@ -408,18 +410,20 @@ class BuildPass:
             missed = min(missed, float(unmet.min()))
             cost += unmet + COSTS.tight * plan.tight + COSTS.ragged * (plan.rows * plan.columns - len(plan.names))
             cost += 0.3 * abs(plan.rows - plan.columns) ** 0.5
-            ranked += [(float(cost[row]), plan, batch, int(row)) for row in np.argsort(cost, kind="stable")[:4]]
+            rows = np.argsort(cost, kind="stable")[: COSTS.checked]
+            ranked += [(float(cost[row]), plan, batch, int(row)) for row in rows]
         best: tuple[float, GridPlan, Places, int] | None = None
-        before, tried = self.site.unreached(), 0
+        before, tried = self.site.unreached(), Counter[tuple[GridPlan, bool]]()
         told = self.site.wants[clusters[0].anchor].in_told_rows
         limit = COSTS.hopeless + (
             missed if told else 0.0
         )  # what no place meets of a demanded block speaks against none
         for cost, plan, batch, row in sorted(ranked, key=lambda entry: entry[0]):
-            if cost > limit or tried >= 3 * COSTS.trials or (best is not None and cost > best[0]):
+            if cost > limit or tried.total() >= 3 * COSTS.trials or (best is not None and cost > best[0]):
                 break
-            if not self.site.fault(batch.cluster, batch.poses[row]):
-                tried += 1
+            way = (plan, abs(math.sin(batch.poses[row, 2])) > math.sqrt(0.5))  # along the room it may cut it in two
+            if tried[way] < COSTS.each_way and not self.site.fault(batch.cluster, batch.poses[row]):
+                tried[way] += 1
                 trial = self.site.copy(trial=True)
                 put_grid(trial, clusters, plan, batch.poses[row])
                 harm = COSTS.unreached * (len(trial.unreached(before)) - len(before)) + COSTS.cut_off * trial.cut_off
