@@ -35,6 +35,7 @@ class Gaps:
     sat_at: float = 0.6
     """Metres between a seat and what it stands at, other things and what they stand before, things back to back, face to face, and
     a seat and the stand of a screen; height from which on one sits at a table."""
+    elbows: float = 0.12  # metres between those who sit side by side
     touch: float = 0.6
     close: float = 3.0
     thin: float = 0.15
@@ -105,7 +106,24 @@ def join_as_asked(cast: Mapping[str, Cast], demands: Sequence[Demand], passage: 
     for name in [name for name in found if name not in wanted]:
         if found[name].join.slot == "around" and found[name].anchor in told:
             found[name] = elsewhere(name, found, told)  # that table has its own seats
-    return found
+    return found | dict(_off_the_wall(found, demands))
+
+
+def _off_the_wall(cast: Mapping[str, Cast], demands: Sequence[Demand]) -> Iterator[tuple[str, Cast]]:
+    """Yield the seats of tables that stand against walls: at both ends and before them, in corners at one end."""
+    for at, table in {
+        (one.name, one.asset_names()[0]) for one in said(demands) if one.name in ("against_wall", "corner")
+    }:
+        seats = [name for name, one in cast.items() if one.anchor == table and one.join.slot == "around"]
+        ends = (2 if at == "against_wall" else 1) * (len(seats) > 1)
+        wide = sum(cast[name].asset.size[1] + GAPS.elbows for name in seats[ends:]) - GAPS.elbows
+        if wide > cast[table].asset.size[1]:
+            continue
+        for number, name in enumerate(seats):
+            side, angle = (("left_of", 270), ("right_of", 90))[number] if number < ends else ("in_front_of", 180)
+            say = (f"{side}({{a}}, {{b}}, {-GAPS.touch:g}, {GAPS.touch:g})", f"align_with({{a}}, {{b}}, {angle})")
+            slot = "front" if side == "in_front_of" else "flank"
+            yield name, replace(cast[name], join=Join(slot, (), gap=GAPS.seated, faces="anchor", say=say))
 
 
 PLACELESS = ("point_towards", "align_with", "under", "above", "keep_clear")

@@ -43,6 +43,9 @@ GENERAL = ("desk", "bed", "table", "chair", "seat", "shelf", "sink", "counter", 
 LACKING, LIKELY = 0.6, 0.9
 """What a room loses by each thing that it always has and that is not named, and what makes it likely, in things that belong there."""
 
+LIKE = {"single bed": " bed", "sofa": " sofa"}
+"""What others with such a last word are like, of which no room type tells."""
+
 SLEPT_ON = {"bed", "single bed"}
 """Things that tell that somebody sleeps in a room."""
 
@@ -316,7 +319,7 @@ def _room(reading: Reading, rooms: RoomTypes) -> tuple[RoomType, list[str]]:
         return rooms.rooms[OF_CORNERS[corners[0]]], []
     kinds = {thing.noun.kind for thing in reading.parsed.things}
     usual = {kind for room in rooms.rooms.values() for kind in room.base}
-    kinds |= {"single bed"} if any(kind.endswith(" bed") for kind in kinds - usual) else set()
+    kinds |= {like for like, last in LIKE.items() if any(kind.endswith(last) for kind in kinds - usual)}
     if not kinds and not reading.parsed.facts:
         known = ", ".join(sorted(rooms.rooms))
         raise SceneError(f"the sentence names no room; known room types: {known}; words are read in English.")

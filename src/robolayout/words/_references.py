@@ -239,6 +239,19 @@ class References(Spoken):
             of = []
         return of or [Place("side", (relation,))]
 
+    def _at_both_sides(self, chunk: Chunk) -> bool:
+        """Note two opposite walls for what is at the sides of nothing else: "a galley kitchen with counters on both sides"."""
+        things = [mention.thing for mention in self.group]
+        alone = things == self.said.things and not (things[1:] or self.said.links)
+        ends = self._ahead().kind in ("", "stop", "comma")
+        if chunk.value != "flank" or not (things and alone and ends and things[0].category.on_floor):
+            return False
+        if {"each", "either"} & {*chunk.adjectives}:
+            things[0].number = 2 * (things[0].number or 1)
+        walls = Place("wall", ("opposite",), plural=True)
+        self.said.links.append(Link("wall", tuple(self.group), (walls,), chunk.start, chunk.end))
+        return True
+
     def _said_again(self, chunk: Chunk, subjects: Sequence[Mention], objects: Sequence[Item]) -> bool:
         """Return whether a relation says no more than the last one: "a plant flanks the door on each side", "back to back in pairs"."""
         last = self.said.links[-1] if self.said.links else None

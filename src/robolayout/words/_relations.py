@@ -174,18 +174,19 @@ class Relating(About):
     def _along_an_aisle(self, chunk: Chunk) -> bool:
         """Note what an aisle parts: two rows, or two columns of benches: "five pews on each side of an aisle" are ten."""
         rows = [link for link in self.said.links if link.relation == "rows" and link.start >= self.began]
+        width = (MIDDLE_AISLE, math.inf)
         if rows and chunk.value in ("amid", "middle") and self._ahead(-2).value == "aisle":
-            self._objects(chunk)  # "two rows with an aisle between them"
-            self._understood(self.chunks[self.chunks.index(chunk) - 1])
-            start, width = self.chunks[self.chunks.index(chunk) - 1].start, (MIDDLE_AISLE, math.inf)
-            self.said.links.append(Link("apart", rows[-1].subjects, (), start, self._ahead(-1).end, width))
+            aisle, _ = self._ahead(-2), self._objects(chunk)  # "two rows with an aisle between them"
+            self._understood(aisle)
+            self.said.facts[:] = [fact for fact in self.said.facts if fact is not aisle]
+            self.said.links.append(Link("apart", rows[-1].subjects, (), aisle.start, self._ahead(-1).end, width))
             return True
         benches = [mention.thing for mention in self.group[-1:] if mention.thing.head in ("pew", "bench")]
-        if chunk.value != "flank" or self._ahead().value != "aisle" or not benches:
-            return False
+        ends = self._ahead().kind in ("", "stop") and [thing.head for thing in self.said.things] == ["pew"]
+        if chunk.value != "flank" or not benches or not (ends or self._ahead().value == "aisle"):
+            return self._at_both_sides(chunk)
         if {"each", "either"} & {*chunk.adjectives}:
             benches[0].number = 2 * benches[0].count
-        width = (MIDDLE_AISLE, math.inf)
         self.said.links.append(Link("columns", tuple(self.group[-1:]), (), chunk.start, chunk.end, width, rows=2))
         return True
 
