@@ -63,7 +63,7 @@ def _settle_by_company(parsed: Parsed, heads: Set[str]) -> None:
     bar = kinds & {"kitchen island", "bar counter"} and not heads & {"table", "desk", "piano", "bench"}
     played = kinds & small.INSTRUMENTS and not heads & {"table", "desk"}
     for thing in parsed.things:
-        if thing.noun.kind == "bench" and played and thing.count == 1:
+        if thing.noun.said == "bench" and played and thing.count == 1:
             thing.noun = replace(thing.noun, kind="stool", others=())  # a piano's bench
         elif thing.noun.words == "stool" and bar:
             _take(thing, "bar stool")

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections import Counter
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import partial
@@ -33,7 +32,6 @@ class Costs:
     shut: float = 18.0  # cost of a place where a door or drawer does not open
     checked: int = 300  # best places that are checked exactly before one is taken
     trials: int = 8  # places for which it is found out what they cut off
-    each_way: int = 2  # most of these of one grid along the room, and as many across it
     close: float = 0.3
     widen: float = 0.04
     """Metres between places of which both are tried, and how much more for each one that did harm."""
@@ -70,8 +68,8 @@ COSTS = Costs()
 Modes = Mapping[str, float]
 """Ways of standing, the best first, with what each costs."""
 
-Choice = tuple[float, Places, int]
-"""A place: its cost, the batch that it is in, and its row there."""
+Choice, GridChoice = tuple[float, Places, int], tuple[float, GridPlan, Places, int]
+"""A place: its cost, the batch that it is in, and its row there; for a grid, of which plan."""
 
 
 def _put(site: Site, batch: Places, row: int) -> None:
@@ -394,7 +392,8 @@ class BuildPass:
 
     def _place_grid(self, clusters: Sequence[Cluster], weights: Mapping[str, float], strays: int) -> bool:
         """Put equal clusters into their best grid, so many others being left; False if none is good."""
-        ranked: list[tuple[float, GridPlan, Places, int]] = []
+        few: list[GridChoice] = []
+        more: list[GridChoice] = []
         missed = math.inf  # the least that a place misses of what is said
         for plan, batch in grid_batches(self.site, clusters):
             clash = self.site.clash(batch.cluster, batch.poses, limit=1.0)
@@ -410,32 +409,39 @@ class BuildPass:
             missed = min(missed, float(unmet.min()))
             cost += unmet + COSTS.tight * plan.tight + COSTS.ragged * (plan.rows * plan.columns - len(plan.names))
             cost += 0.3 * abs(plan.rows - plan.columns) ** 0.5
-            rows = np.argsort(cost, kind="stable")[: COSTS.checked]
-            ranked += [(float(cost[row]), plan, batch, int(row)) for row in rows]
-        best: tuple[float, GridPlan, Places, int] | None = None
-        before, tried = self.site.unreached(), Counter[tuple[GridPlan, bool]]()
+            rows = np.argsort(cost, kind="stable")
+            few += [(float(cost[row]), plan, batch, int(row)) for row in rows[:4]]
+            across = np.abs(np.sin(batch.poses[rows, 2])) > math.sqrt(0.5)
+            turned = rows[across != across[0]][: COSTS.checked]  # the other way may leave a way past it
+            more += [(float(cost[row]), plan, batch, int(row)) for row in turned]
         told = self.site.wants[clusters[0].anchor].in_told_rows
-        limit = COSTS.hopeless + (
-            missed if told else 0.0
-        )  # what no place meets of a demanded block speaks against none
+        limit = COSTS.hopeless + (missed if told else 0.0)  # what no place meets of a block speaks against none
+        best = self._best_grid(clusters, few, limit)
+        if told and best is None:
+            best = self._best_grid(clusters, more, limit)
+        if best is None:
+            return False
+        put = partial(put_grid, clusters=clusters, plan=best[1], frame=best[2].poses[best[3]])
+        self.steps.append(_Step(put, best[0] * len(clusters) ** 0.5 + COSTS.stray * strays))
+        put(self.site)
+        return True
+
+    def _best_grid(self, clusters: Sequence[Cluster], ranked: Sequence[GridChoice], limit: float) -> GridChoice | None:
+        """Return the best place of a grid, with what it costs in all; None if all cost more than a limit."""
+        best: GridChoice | None = None
+        before, tried = self.site.unreached(), 0
         for cost, plan, batch, row in sorted(ranked, key=lambda entry: entry[0]):
-            if cost > limit or tried.total() >= 3 * COSTS.trials or (best is not None and cost > best[0]):
+            if cost > limit or tried >= 3 * COSTS.trials or (best is not None and cost > best[0]):
                 break
-            way = (plan, abs(math.sin(batch.poses[row, 2])) > math.sqrt(0.5))  # along the room it may cut it in two
-            if tried[way] < COSTS.each_way and not self.site.fault(batch.cluster, batch.poses[row]):
-                tried[way] += 1
+            if not self.site.fault(batch.cluster, batch.poses[row]):
+                tried += 1
                 trial = self.site.copy(trial=True)
                 put_grid(trial, clusters, plan, batch.poses[row])
                 harm = COSTS.unreached * (len(trial.unreached(before)) - len(before)) + COSTS.cut_off * trial.cut_off
                 harm /= len(clusters) ** 0.5
                 if best is None or cost + harm < best[0]:
                     best = (cost + harm, plan, batch, row)
-        if best is None or best[0] > limit:
-            return False
-        put = partial(put_grid, clusters=clusters, plan=best[1], frame=best[2].poses[best[3]])
-        self.steps.append(_Step(put, best[0] * len(clusters) ** 0.5 + COSTS.stray * strays))
-        put(self.site)
-        return True
+        return best if best is not None and best[0] <= limit else None
 
 
 def _harm(site: Site) -> float:
