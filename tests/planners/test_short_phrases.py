@@ -29,7 +29,7 @@ def at_sides(result: Result, kind: str, table: str) -> list[str]:
         ("living room with a dining area", {"sofa", "dining_table", "chair"}),
         ("a bedroom and office", {"bed", "desk", "office_chair"}),
         ("a bedroom with an office area", {"bed", "desk", "office_chair"}),
-        ("an office with a meeting area and a lounge", {"desk", "round_table"}),
+        ("an office with a lounge area and a meeting area", {"desk", "sofa", "round_table", "stool"}),
         ("a bed and a desk", {"bed", "desk", "wardrobe"}),
     ],
 )
@@ -134,3 +134,24 @@ def test_tables_of_so_many_have_so_many_chairs(text: str, chairs: int) -> None:
     result = made(text)
     assert result.report.ok
     assert sum("chair" in name for name in result.layout) == chairs
+
+
+@pytest.mark.parametrize(
+    ("text", "about", "to", "where"),
+    [
+        ("a living room with a sofa and a plant 2 m to the left of it", "plant-0", "sofa-0", "left"),
+        ("a bedroom with a bed and a desk 1.8 m to the right of the bed", "desk-0", "bed-0", "right"),
+        ("an office with a desk and a bookshelf 2 m behind it", "bookshelf-0", "desk-0", "back"),
+    ],
+)
+def test_a_side_and_a_distance_are_told_together(text: str, about: str, to: str, where: str) -> None:
+    result = made(text)
+    assert result.report.ok
+    assert at_sides(result, about.split("-")[0], to) == [where]
+
+
+@pytest.mark.parametrize("chairs", ["two", "three"])
+def test_no_chair_stands_between_a_table_and_its_corner(chairs: str) -> None:
+    result = made(f"a kitchen with a small table in the corner and {chairs} chairs")
+    assert result.report.ok
+    assert {"front", "left"} >= {*at_sides(result, "chair", "dining_table-0")}

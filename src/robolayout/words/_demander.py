@@ -217,7 +217,7 @@ class Demander(AtSides):
         """Behind a thing; behind a desk at which somebody looks somewhere is behind who sits there, where it is used from."""
         last: dict[str, str] = {}
         for a, b in it.twos:
-            gap = ways_of.BACK_WALL if self._only_wall(a) else ways_of.BACK  # "on the wall behind the counter"
+            gap = max(self._told(a, b), ways_of.BACK_WALL if self._only_wall(a) else ways_of.BACK)
             sat_on = self._is(a, ("chair", "stool")) and not self._is(a, ("armchair",))
             past = (0.0, gap) if sat_on or self._only_wall(a) else ways_of.PAST_A_SEAT
             back = stated("behind", AssetRef(a), AssetRef(b), 0.0, gap)
@@ -242,13 +242,16 @@ class Demander(AtSides):
         if relation in ("end", "foot") and self._only_wall(a):  # "a screen on the wall at one end of the table"
             depth, width, _ = self._asset(b).size
             return ways_of.END_WALLS[relation == "end" and width >= depth][: 1 if relation == "foot" else 2]
-        if relation in ("left", "right") and (self._only_wall(b) or self._is(b, ways_of.WATCHED)):
-            return ways_of.TO_ANOTHER[ways_of.OTHER_SIDE[relation]]  # as one sees it who looks at it
+        if relation in ("left", "right"):
+            if self._only_wall(b) or self._is(b, ways_of.WATCHED):
+                relation = ways_of.OTHER_SIDE[relation]  # as one sees it who looks at it
+            (((how, least, most),),) = ways_of.TO_ANOTHER[relation]
+            return (((how, least, max(most, self._told(a, b))),),)  # "a plant 2 m to the left of it"
         if relation == "end" and not self._is(b, ("table", *ways_of.SLEPT_ON)):
             return ways_of.TO_ANOTHER["end"][1:]  # "a fridge at the end of the counter"
-        if relation == "front" and self.metres.get((a, b), (0.0, 0.0))[1] > ways_of.AHEAD:  # "2.5 m in front of it"
+        if relation == "front" and self._told(a, b) > ways_of.AHEAD:  # "2.5 m in front of it"
             looks = self._is(a, ways_of.SEATS) and self._is(b, (*ways_of.WATCHED, "stand"))
-            return ((("in_front_of", 0.0, self.metres[a, b][1]), *((("point_towards",),) * looks)),)
+            return ((("in_front_of", 0.0, self._told(a, b)), *((("point_towards",),) * looks)),)
         watching = self._is(a, ways_of.SEATS) and self._is(b, ways_of.WATCHED) and a not in self.askew
         if relation == "front" and watching:
             return ways_of.BEFORE_WATCHED
@@ -257,6 +260,10 @@ class Demander(AtSides):
         if relation != "front" or b not in self.manned:
             return ways_of.TO_ANOTHER[relation]
         return (ways_of.ACROSS_A_DESK[0 if self._is(a, ways_of.SEATS) else 1],)
+
+    def _told(self, a: str, b: str) -> float:
+        """Return the most metres that are told to lie between two things, 0 where none are."""
+        return min(self.metres.get((a, b), (0.0, 0.0))[1], ways_of.ACROSS)
 
     def _into_a_mirror(self, a: str, b: str) -> bool:
         return self._is(a, ways_of.SEATS) and self._is(b, ("mirror",))
