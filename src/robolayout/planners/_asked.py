@@ -111,9 +111,8 @@ def join_as_asked(cast: Mapping[str, Cast], demands: Sequence[Demand], passage: 
 
 def _off_the_wall(cast: Mapping[str, Cast], demands: Sequence[Demand]) -> Iterator[tuple[str, Cast]]:
     """Yield the seats of tables that stand against walls: at both ends and before them, in corners at one end."""
-    for at, table in {
-        (one.name, one.asset_names()[0]) for one in said(demands) if one.name in ("against_wall", "corner")
-    }:
+    walled = {(one.name, one.asset_names()[0]) for one in said(demands) if one.name in ("against_wall", "corner")}
+    for at, table in sorted(walled):  # of a table that is asked for both, the corner is what counts
         seats = [name for name, one in cast.items() if one.anchor == table and one.join.slot == "around"]
         ends = (2 if at == "against_wall" else 1) * (len(seats) > 1)
         wide = sum(cast[name].asset.size[1] + GAPS.elbows for name in seats[ends:]) - GAPS.elbows
