@@ -68,8 +68,9 @@ COSTS = Costs()
 Modes = Mapping[str, float]
 """Ways of standing, the best first, with what each costs."""
 
-Choice, GridChoice = tuple[float, Places, int], tuple[float, GridPlan, Places, int]
-"""A place: its cost, the batch that it is in, and its row there; for a grid, of which plan."""
+Choice = tuple[float, Places, int]
+GridChoice = tuple[float, GridPlan, Places, int]
+"""A place: its cost, for a grid its plan, the batch that it is in, and its row there."""
 
 
 def _put(site: Site, batch: Places, row: int) -> None:
