@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 import pytest
-from said_rooms import made, of
+from said_rooms import at_sides, made, of
 
 from robolayout.run.result import Result
 
@@ -27,13 +27,7 @@ def looks_at(result: Result, name: str, other: str) -> float:
 
 def sides(result: Result, kind: str, table: str) -> set[str]:
     """Return at which sides of a table things of a kind are."""
-    depth, width, _ = result.scene.by_name[table].size
-    found = set[str]()
-    for name in of(result, kind):
-        x, y = seen(result, name, table)
-        ahead = abs(x) - depth / 2 > abs(y) - width / 2
-        found.add(("front" if x > 0 else "back") if ahead else ("left" if y > 0 else "right"))
-    return found
+    return {*at_sides(result, kind, table)}
 
 
 @pytest.mark.parametrize(

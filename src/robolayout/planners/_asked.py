@@ -120,9 +120,7 @@ def _off_the_wall(cast: Mapping[str, Cast], demands: Sequence[Demand]) -> Iterat
             continue
         for number, name in enumerate(seats):
             side, angle = (("left_of", 270), ("right_of", 90))[number] if number < ends else ("in_front_of", 180)
-            say = (f"{side}({{a}}, {{b}}, {-GAPS.touch:g}, {GAPS.touch:g})", f"align_with({{a}}, {{b}}, {angle})")
-            slot = "front" if side == "in_front_of" else "flank"
-            yield name, replace(cast[name], join=Join(slot, (), gap=GAPS.seated, faces="anchor", say=say))
+            yield name, replace(cast[name], join=_seated(side, -GAPS.touch, GAPS.touch, angle))
 
 
 PLACELESS = ("point_towards", "align_with", "under", "above", "keep_clear")
@@ -316,9 +314,14 @@ def _at_one_side(relation: Relation, asked: Mapping[str, Relation]) -> Join | No
     turned = asked.get("align_with")
     if not isinstance(relation, SideRelation) or relation.min_gap >= 0.0 or not isinstance(turned, AlignWith):
         return None
-    at = {"in_front_of": "front", "behind": "behind"}.get(relation.name, "flank")
-    say = f"{relation.name}({{a}}, {{b}}, {relation.min_gap:g}, {relation.max_gap:g})"
-    return Join(at, (), gap=GAPS.seated, faces="anchor", say=(say, f"align_with({{a}}, {{b}}, {turned.angle:g})"))
+    return _seated(relation.name, relation.min_gap, relation.max_gap, turned.angle)
+
+
+def _seated(side: str, least: float, most: float, angle: float) -> Join:
+    """Return how a seat joins a table at one side of it, as a relation names that, turned by so many degrees."""
+    at = {"in_front_of": "front", "behind": "behind"}.get(side, "flank")
+    say = (f"{side}({{a}}, {{b}}, {least:g}, {most:g})", f"align_with({{a}}, {{b}}, {angle:g})")
+    return Join(at, (), gap=GAPS.seated, faces="anchor", say=say)
 
 
 def _at_its_back(a: Cast, passage: float, turned: float) -> Join:

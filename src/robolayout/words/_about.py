@@ -286,11 +286,9 @@ class About(References):
         if not rows or not (here.value == "aisles" or amid):
             return False
         led = self.chunks[self.at : self.at + (3 if amid else follows)]
-        self._understood(here, *led)
+        self._understood(*led)
         self.at += len(led)
-        self.said.facts[:] = [fact for fact in self.said.facts if fact is not here]
-        start, end = min(chunk.start, here.start), max(chunk.end, here.end)
-        self.said.links.append(Link("apart", rows[-1].subjects, (), start, end, (measure.values[0], math.inf)))
+        self._parted(rows[-1], here, (min(chunk.start, here.start), max(chunk.end, here.end)), measure.values[0])
         return True
 
     def _walls(self, subjects: list[Mention], place: Place) -> list[Mention]:

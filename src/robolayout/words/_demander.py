@@ -393,15 +393,14 @@ class Demander(AtSides):
 
     def _above(self, it: Asked) -> Iterator[Demand]:
         """Over a thing, on the wall where it hangs there, or on it; one thing over the middle of several, else over one of them."""
-        over = [(a, b, stated("above", AssetRef(a), AssetRef(b))) for a in it.subjects for b in it.others]
         if len(it.subjects) == 1 and len(it.others) > 1 and not self._asset(it.subjects[0]).on_object:
-            above = tuple(how for _, _, how in over)
-            yield Demand((above, *((how,) for how in above)))
+            over = tuple(stated("above", AssetRef(it.subjects[0]), AssetRef(b)) for b in it.others)
+            yield Demand((over, *((one,) for one in over)))
             return
-        for a, b, above in (each for each in over if each[:2] in it.twos):
+        for a, b in it.twos:
+            above, on_top = (stated(how, AssetRef(a), AssetRef(b)) for how in ("above", "on_top_of"))
             hung = (stated("mounted_on", AssetRef(a)),) if self._asset(a).on_wall else ()
-            ways = ((*hung, above), (stated("on_top_of", AssetRef(a), AssetRef(b)),))
-            yield Demand(ways) if self._asset(a).on_object else single(above)
+            yield Demand(((*hung, above), (on_top,))) if self._asset(a).on_object else single(above)
 
     def _amid(self, it: Asked) -> Iterator[Demand]:
         """Between two things, or a thing and a place: near both, and on the line between them."""

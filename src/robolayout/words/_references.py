@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import replace
 from itertools import dropwhile
@@ -238,6 +239,12 @@ class References(Spoken):
         elif side != relation:
             of = []
         return of or [Place("side", (relation,))]
+
+    def _parted(self, rows: Link, aisle: Chunk, span: tuple[int, int], metres: float) -> None:
+        """Note that rows are at least so many metres apart, by the aisle that is said to be between them."""
+        self._understood(aisle)
+        self.said.facts[:] = [fact for fact in self.said.facts if fact is not aisle]
+        self.said.links.append(Link("apart", rows.subjects, (), *span, (metres, math.inf)))
 
     def _at_both_sides(self, chunk: Chunk) -> bool:
         """Note two opposite walls for what is at the sides of nothing else: "a galley kitchen with counters on both sides"."""

@@ -174,12 +174,9 @@ class Relating(About):
     def _along_an_aisle(self, chunk: Chunk) -> bool:
         """Note what an aisle parts: two rows, or two columns of benches: "five pews on each side of an aisle" are ten."""
         rows = [link for link in self.said.links if link.relation == "rows" and link.start >= self.began]
-        width = (MIDDLE_AISLE, math.inf)
         if rows and chunk.value in ("amid", "middle") and self._ahead(-2).value == "aisle":
             aisle, _ = self._ahead(-2), self._objects(chunk)  # "two rows with an aisle between them"
-            self._understood(aisle)
-            self.said.facts[:] = [fact for fact in self.said.facts if fact is not aisle]
-            self.said.links.append(Link("apart", rows[-1].subjects, (), aisle.start, self._ahead(-1).end, width))
+            self._parted(rows[-1], aisle, (aisle.start, self._ahead(-1).end), MIDDLE_AISLE)
             return True
         benches = [mention.thing for mention in self.group[-1:] if mention.thing.head in ("pew", "bench")]
         ends = self._ahead().kind in ("", "stop") and [thing.head for thing in self.said.things] == ["pew"]
@@ -187,6 +184,7 @@ class Relating(About):
             return self._at_both_sides(chunk)
         if {"each", "either"} & {*chunk.adjectives}:
             benches[0].number = 2 * benches[0].count
+        width = (MIDDLE_AISLE, math.inf)
         self.said.links.append(Link("columns", tuple(self.group[-1:]), (), chunk.start, chunk.end, width, rows=2))
         return True
 

@@ -396,6 +396,7 @@ class BuildPass:
         few: list[GridChoice] = []
         more: list[GridChoice] = []
         missed = math.inf  # the least that a place misses of what is said
+        told = self.site.wants[clusters[0].anchor].in_told_rows
         for plan, batch in grid_batches(self.site, clusters):
             clash = self.site.clash(batch.cluster, batch.poses, limit=1.0)
             free = clash <= 1.0
@@ -413,12 +414,11 @@ class BuildPass:
             rows = np.argsort(cost, kind="stable")
             few += [(float(cost[row]), plan, batch, int(row)) for row in rows[:4]]
             across = np.abs(np.sin(batch.poses[rows, 2])) > math.sqrt(0.5)
-            turned = rows[across != across[0]][: COSTS.checked]  # the other way may leave a way past it
+            turned = rows[across != across[0]][: told * COSTS.checked]  # the other way may leave a way past it
             more += [(float(cost[row]), plan, batch, int(row)) for row in turned]
-        told = self.site.wants[clusters[0].anchor].in_told_rows
         limit = COSTS.hopeless + (missed if told else 0.0)  # what no place meets of a block speaks against none
         best = self._best_grid(clusters, few, limit)
-        if told and best is None:
+        if best is None and more:
             best = self._best_grid(clusters, more, limit)
         if best is None:
             return False
