@@ -33,7 +33,7 @@ def raises(error: BaseException) -> Callable[..., Any]:
     return work
 
 
-def deep(*_: object) -> Any:
+def deep() -> Any:
     return deep()
 
 

@@ -162,7 +162,7 @@ def test_a_second_process_runs_the_program_without_jax(probe, folder):
 def test_whole_entries_of_nonsense_are_compiled_anew(probe):
     known = programs.Programs()
     array = np.ones(3, np.float32)
-    key = entry_key("_probe:twice", (((3,), "<f4"),), (("factor", 3.0),), programs.OPTIONS)
+    key = entry_key("_probe:twice", (((3,), "<f4"),), (("factor", 3.0),), programs._options())
     write_entry(key, {"results": [[[3], "<f4"]]}, b"no machine code")
     (found,) = known.future("_probe:twice", (array,), {"factor": 3.0}).result()([array])
     assert found.tolist() == [3.0, 3.0, 3.0]

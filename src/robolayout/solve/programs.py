@@ -27,19 +27,27 @@ Leaf = NDArray[Any]
 Run = Callable[[Sequence[Leaf]], list[Leaf]]
 """A program: arrays in, arrays out, both in the order of the tuples they come from."""
 
-TESTED = ("0.10.",)
+TESTED = ("0.10.", "0.11.", "0.12.")
 """Versions of the runtime whose inner interface `_loaded` knows."""
+
+OLD = "0.10."
+"""The last of them for Python 3.11: its compiler has an option more, its handlers of results an argument more."""
 
 UNUSABLE = (AttributeError, KeyError, NotImplementedError, RuntimeError, TypeError, ValueError)
 """What loading raises when an entry or this module does not fit the runtime."""
 
 OPTIONS: dict[str, Any] = {
     # Measured on the search (16 slots, 8 starts): 4.7 s of CPU to compile and 0.22 s to run with the compiler's defaults.
-    "xla_cpu_use_fusion_emitters": False,  # a quarter less to compile, a quarter less to run
     "xla_backend_optimization_level": 1,  # a fifth less to compile, as fast to run
     "xla_cpu_multi_thread_eigen": False,  # the same numbers whatever the number of processors
 }
 """What the compiler is told for processors."""
+
+OLD_OPTIONS: dict[str, Any] = {"xla_cpu_use_fusion_emitters": False}  # a quarter less to compile, a quarter less to run
+"""What it is told besides where it still knows it; a compiler that does not, refuses it."""
+
+CARD_OPTIONS: dict[str, Any] = {"xla_gpu_deterministic_ops": True, "xla_gpu_autotune_level": 0}
+"""What it is told for graphics cards: sums in one order and no race between kernels, so that the same input gives the same bytes."""
 
 os.environ.setdefault("TF_CPP_MIN_LOG_LEVEL", "1")  # as JAX does, before it is loaded: the runtime greets at level 0
 
@@ -83,7 +91,7 @@ class Programs(dict[Hashable, "Future[Run]"]):
         """
 
         def look() -> None:
-            if not _native_runtime() or not has_entry(entry_key(*_key(target, arguments, constants), OPTIONS)):
+            if not _native_runtime() or not has_entry(entry_key(*_key(target, arguments, constants), _options())):
                 self.future(target, arguments, constants)
 
         return self._workers.submit(look)
@@ -113,7 +121,7 @@ def _make(target: str, arguments: tuple[Any, ...], constants: Mapping[str, Hasha
     if not _native_runtime():
         _configure_jax()
         return _compiled(target, arguments, constants)[0]
-    key = entry_key(*_key(target, arguments, constants), OPTIONS)
+    key = entry_key(*_key(target, arguments, constants), _options())
     entry = read_entry(key)
     if entry is not None:
         with suppress(*UNUSABLE):  # then it is compiled anew and written over
@@ -126,11 +134,21 @@ def _make(target: str, arguments: tuple[Any, ...], constants: Mapping[str, Hasha
 
 def _native_runtime() -> bool:
     """Return whether programs run on the processor, by a runtime that `_loaded` knows."""
-    from jaxlib import version
-
     cards = any(find_spec(name) for name in ("jax_cuda12_plugin", "jax_cuda13_plugin", "jax_rocm7_plugin"))
     platforms = os.environ.get("JAX_PLATFORMS", "" if cards else "cpu")
-    return platforms == "cpu" and version.__version__.startswith(TESTED)
+    return platforms == "cpu" and _version().startswith(TESTED)
+
+
+def _version() -> str:
+    """Return the version of the compiler and its runtime."""
+    from jaxlib import version
+
+    return version.__version__
+
+
+def _options() -> dict[str, Any]:
+    """Return what this compiler is told for processors."""
+    return {**OPTIONS, **(OLD_OPTIONS if _version().startswith(OLD) else {})}
 
 
 def _configure_jax() -> None:
@@ -156,7 +174,7 @@ def _compiled(target: str, arguments: tuple[Any, ...], constants: Mapping[str, H
         return jax.tree.leaves(function(*jax.tree.unflatten(structure, values), **constants))
 
     specs = [jax.ShapeDtypeStruct(leaf.shape, leaf.dtype) for leaf in leaves(arguments)]
-    options = OPTIONS if jax.default_backend() == "cpu" else {}
+    options = _options() if jax.default_backend() == "cpu" else CARD_OPTIONS
     doubles = any(
         spec.dtype == np.float64 for spec in specs
     )  # JAX must be told as soon as one argument works with them
@@ -193,7 +211,8 @@ def _loaded(about: Mapping[str, Any], code: bytes) -> Run:
     executable = client.deserialize_executable(code, executable_devices=xla_client.DeviceList((device,)))
     # Shapes and types of arrays, as the runtime asks for them.
     kinds = [SimpleNamespace(shape=tuple(s), dtype=np.dtype(d), weak_type=False) for s, d in about["results"]]
-    handlers = [_jax.array_result_handler(kind, sharding, True, True) for kind in kinds]
+    unchecked = (True,) if _version().startswith(OLD) else ()
+    handlers = [_jax.array_result_handler(kind, sharding, True, *unchecked) for kind in kinds]
     during_call = _jax.HostBufferSemantics.IMMUTABLE_ONLY_DURING_CALL
 
     def put(value: Leaf) -> Any:
