@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 import subprocess
 import sys
 from dataclasses import replace
@@ -212,3 +213,20 @@ def test_other_ways_are_not_tried_for_a_drawer_that_stays_shut(monkeypatch: pyte
     program, best = found.reconciled.program, replace(found.solution, verdict=replace(found.solution.verdict, soft=0.5))
     monkeypatch.setattr(flow, "compile_problem", lambda *_, **__: pytest.fail("a way was built"))
     assert flow._bettered(scene, program, best, seed=0, config=None) is best
+
+
+def test_what_a_program_forgets_stands_as_is_usual() -> None:
+    scene = rl.load_scene(ROOT / "examples" / "bedroom.json")
+    program = "solver.against_wall(double_bed[0], walls[1])"
+    result = rl.generate(scene, program=program)
+
+    def apart(first: str, second: str) -> float:
+        one, other = result.layout[first], result.layout[second]
+        return math.dist((one.x, one.y), (other.x, other.y))
+
+    stands = ("night_stand-0", "night_stand-1")
+    assert all(apart(stand, "double_bed-0") < 1.7 for stand in stands) and apart(*stands) > 1.7
+    assert all(min(apart(lamp, stand) for stand in stands) < 0.2 for lamp in ("table_lamp-0", "table_lamp-1"))
+    assert [item.met for item in result.report.statements] == [True]
+    assert {wish.by for wish in result.program.wishes} == {"custom"}
+    assert not rl.generate(scene, program=program, solver="paper").program.wishes

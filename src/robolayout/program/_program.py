@@ -45,6 +45,10 @@ class ProgramLimits:
     printed: int = 4_000  # characters kept of what it prints; the rest is dropped
 
 
+CUSTOM = "custom"
+"""Who asks for what is usual, of a thing that a program says nothing about."""
+
+
 @dataclass(frozen=True)
 class Statement:
     """One relation that a program states."""
@@ -54,7 +58,8 @@ class Statement:
     source: str = ""  # that call as it is written, on one line
     number: int = 0  # its place among the statements, counted from 1; wishes are counted by themselves
     wish: float | None = None  # its weight if it is a wish and no demand; below 0 it is rather not wanted
-    by: str = "plan"  # who asks for it: "user" where it is what the words of the scene say, else "plan"
+    # who asks for it: "user" where it is what the words of the scene say, "custom" where the program is silent, else "plan"
+    by: str = "plan"
 
 
 @dataclass(frozen=True)
@@ -92,10 +97,9 @@ class Program:
         return guess.position and guess.position[:2]
 
     def forgotten(self) -> tuple[str, ...]:
-        """Return the things, as they are written in a program, that neither a guess nor a statement is about."""
-        said = {
-            name for statement in (*self.statements, *self.wishes) for name in statement.relation.asset_names()
-        } | set(self.guesses)
+        """Return the things, as they are written in a program, that neither a guess nor a statement of its own is about."""
+        own = (one for one in (*self.statements, *self.wishes) if one.by != CUSTOM)
+        said = {name for statement in own for name in statement.relation.asset_names()} | set(self.guesses)
         return tuple(written for name, written in self.expressions.items() if name not in said)
 
     def to_text(self) -> str:

@@ -13,7 +13,7 @@ from robolayout._errors import SceneError
 from robolayout.floor import FLOOR, cell_size
 from robolayout.planners import Critic, Group, GroupPlanner, OfflinePlanner, Planner, PlanRequest
 from robolayout.program import Program, Reconciled, read_program, reconcile
-from robolayout.run.given import as_scene, as_start, guesses_of, pinned_poses, supported
+from robolayout.run.given import as_scene, as_start, completed, guesses_of, pinned_poses, supported
 from robolayout.run.result import Attempt, Clock, Progress, Result
 from robolayout.run.verdict import make_judge
 from robolayout.scene import DRESSINGS, Agent, Layout, Pose, Scene
@@ -193,9 +193,7 @@ class Run:
             with self.clock.station("plan"):
                 request = PlanRequest(self.scene, placed=start, seed=self.seed, asked=self.wishes.demands)
                 program = planner.plan(request)
-        asked = self._read(program)
-        asked = replace(asked, guesses={**asked.guesses, **guesses_of(start)})
-        return self.finished([asked], self.scene, pinned)[0]
+        return self.finished([self._read(program, start)], self.scene, pinned)[0]
 
     def _texts(
         self, planner: Planner, program: str | None, attempts: int, best: Callable[[], Attempt | None]
@@ -217,10 +215,12 @@ class Run:
             known.add(text)
             yield seed, asked
 
-    def _read(self, text: str) -> Program:
+    def _read(self, text: str, start: Layout | None = None) -> Program:
         with self.clock.station("program"):
             self.say("program")
-            return self.wishes.marked(read_program(text, self.scene))
+            asked = self.wishes.marked(read_program(text, self.scene))
+            asked = replace(asked, guesses={**asked.guesses, **guesses_of(start or {})})
+            return completed(asked, self.scene, seed=self.seed) if self.solver == "default" else asked
 
     def _tried(self, seed: int, asked: Program, *, judged: bool) -> _Try:
         """Return a program with the room that is built from it, or that it gives, and how much is wrong with that."""

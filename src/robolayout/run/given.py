@@ -12,8 +12,8 @@ import shapely
 
 from robolayout._errors import InputError, among
 from robolayout.assets import place_of
-from robolayout.planners import ModelPlanner, Planner, Understanding, scene_from_sentence
-from robolayout.program import Guess
+from robolayout.planners import ModelPlanner, OfflinePlanner, Planner, PlanRequest, Understanding, scene_from_sentence
+from robolayout.program import CUSTOM, Guess, Program, read_program
 from robolayout.scene import (
     Agent,
     Layout,
@@ -30,6 +30,9 @@ from robolayout.scene import (
 from robolayout.verify import AgentSpec
 
 LEVEL = 0.05  # metres above a top up to which something counts as standing on it
+
+USUAL = 4.0
+"""Weight of the wish that a thing of which a program says nothing stands as is usual, where that is no wish itself."""
 
 LONGEST_WORD = 45  # letters of the longest word of a dictionary: more of them without a blank are a path
 
@@ -118,6 +121,20 @@ def supported(scene: Scene, start: Layout, pinned: Mapping[str, Pose]) -> Layout
     return Layout({n: pose for n, pose in start.items() if n not in only_on_others - pinned.keys() or below(n)})
 
 
-def guesses_of(layout: Layout) -> dict[str, Guess]:
+def guesses_of(layout: Mapping[str, Pose]) -> dict[str, Guess]:
     """Return the poses of a layout as guesses."""
     return {name: Guess((pose.x, pose.y, pose.z), pose.yaw) for name, pose in layout.items()}
+
+
+def completed(asked: Program, scene: Scene, *, seed: int) -> Program:
+    """Return a program that wishes what is usual of the things it says nothing about; a full one as it is."""
+    if not (silent := {*asked.forgotten()}):
+        return asked
+    usual = read_program(OfflinePlanner().plan(PlanRequest(scene, seed=seed)), scene)
+    about = (
+        replace(one, wish=USUAL if one.wish is None else one.wish, by=CUSTOM, line=0)
+        for one in (*usual.statements, *usual.wishes)
+        if asked.expressions[one.relation.asset_names()[0]] in silent
+    )
+    wishes = (replace(one, number=number) for number, one in enumerate(about, len(asked.wishes) + 1))
+    return replace(asked, wishes=(*asked.wishes, *wishes))
