@@ -86,6 +86,7 @@ def join_as_asked(cast: Mapping[str, Cast], demands: Sequence[Demand], passage: 
     faced = {one.asset_names()[1] for one in said(demands) if one.name == "facing_pair"}
     beside = {name for name in faced & joins.keys() if joins[name][1].slot == "beside"}
     wanted = {name: join for name, join in joins.items() if name not in tops | beside} | chains
+    wanted |= _at_right_angles(wanted, demands)
     for name in subjects(demands) - wanted.keys():
         about = [demand for demand in demands if name in subjects([demand])]
         asset, anchor = found[name].asset, found[name].anchor
@@ -107,6 +108,18 @@ def join_as_asked(cast: Mapping[str, Cast], demands: Sequence[Demand], passage: 
         if found[name].join.slot == "around" and found[name].anchor in told:
             found[name] = elsewhere(name, found, told)  # that table has its own seats
     return found | dict(_off_the_wall(found, demands))
+
+
+def _at_right_angles(
+    wanted: Mapping[str, tuple[str, Join]], demands: Sequence[Demand]
+) -> Iterator[tuple[str, tuple[str, Join]]]:
+    """Yield how what stands at a right angle to another one joins the table that both are around: at an end of it."""
+    for relation in said(demands):
+        if isinstance(relation, AlignWith) and relation.angle in (90.0, 270.0) and len(relation.asset_names()) == 2:
+            (a, b), nowhere = relation.asset_names(), ("", None)
+            table, join = wanted.get(a, nowhere)
+            if join is not None and join.slot == "around" and wanted.get(b, nowhere)[0] == table:
+                yield a, (table, _seated("right_of", GAPS.before / 2, GAPS.before, 90.0))
 
 
 def _off_the_wall(cast: Mapping[str, Cast], demands: Sequence[Demand]) -> Iterator[tuple[str, Cast]]:

@@ -13,7 +13,7 @@ from robolayout._errors import SceneError
 from robolayout.floor import FLOOR, cell_size
 from robolayout.planners import Critic, Group, GroupPlanner, OfflinePlanner, Planner, PlanRequest
 from robolayout.program import Program, Reconciled, read_program, reconcile
-from robolayout.run.given import as_scene, as_start, completed, guesses_of, pinned_poses, supported
+from robolayout.run.given import as_it_was, as_scene, as_start, completed, guesses_of, pinned_poses, supported
 from robolayout.run.result import Attempt, Clock, Progress, Result
 from robolayout.run.verdict import make_judge
 from robolayout.scene import DRESSINGS, Agent, Layout, Pose, Scene
@@ -189,11 +189,17 @@ class Run:
     def edited(self, planner: Planner, program: str | None, start: Layout, pinned: Mapping[str, Pose]) -> Attempt:
         """Mend a layout with the least change; what it does not place is planned and fitted in."""
         start = supported(self.scene, start, pinned)
-        if program is None:
-            with self.clock.station("plan"):
-                request = PlanRequest(self.scene, placed=start, seed=self.seed, asked=self.wishes.demands)
-                program = planner.plan(request)
-        return self.finished([self._read(program, start)], self.scene, pinned)[0]
+        if program is not None:
+            return self.finished([self._read(program, start)], self.scene, pinned)[0]
+        with self.clock.station("plan"):
+            request = PlanRequest(self.scene, placed=start, seed=self.seed, asked=self.wishes.demands)
+            program = planner.plan(request)
+        asked = self._read(program, start)
+        (least,) = self.finished([asked], self.scene, pinned)
+        if all(math.dist(start[name].at, least.solution.layout[name].at) == 0.0 for name in start):
+            return least
+        usual = as_it_was(asked, self.scene, start, seed=self.seed)
+        return min((least, *self.finished([usual], self.scene, pinned)), key=lambda one: one.solution.verdict.worth)
 
     def _texts(
         self, planner: Planner, program: str | None, attempts: int, best: Callable[[], Attempt | None]

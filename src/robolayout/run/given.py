@@ -13,7 +13,7 @@ import shapely
 from robolayout._errors import InputError, among
 from robolayout.assets import place_of
 from robolayout.planners import ModelPlanner, OfflinePlanner, Planner, PlanRequest, Understanding, scene_from_sentence
-from robolayout.program import CUSTOM, Guess, Program, read_program
+from robolayout.program import CUSTOM, Guess, Program, Statement, read_program
 from robolayout.scene import (
     Agent,
     Layout,
@@ -130,11 +130,34 @@ def completed(asked: Program, scene: Scene, *, seed: int) -> Program:
     """Return a program that wishes what is usual of the things it says nothing about; a full one as it is."""
     if not (silent := {*asked.forgotten()}):
         return asked
-    usual = read_program(OfflinePlanner().plan(PlanRequest(scene, seed=seed)), scene)
+    usual = _usual(scene, seed)
     about = (
-        replace(one, wish=USUAL if one.wish is None else one.wish, by=CUSTOM, line=0)
+        replace(one, wish=USUAL if one.wish is None else one.wish)
         for one in (*usual.statements, *usual.wishes)
         if asked.expressions[one.relation.asset_names()[0]] in silent
     )
-    wishes = (replace(one, number=number) for number, one in enumerate(about, len(asked.wishes) + 1))
-    return replace(asked, wishes=(*asked.wishes, *wishes))
+    return _with(asked, about)
+
+
+def as_it_was(asked: Program, scene: Scene, start: Layout, *, seed: int) -> Program:
+    """Return a program that also wishes what is usual and holds in a layout, so that mending it keeps that."""
+    usual = _usual(scene, seed)
+    said = {one.relation for one in (*asked.statements, *asked.wishes)}
+    kept = (replace(one, wish=USUAL if one.wish is None else one.wish) for one in (*usual.statements, *usual.wishes))
+    new = (one for one in kept if one.relation not in said and {*one.relation.asset_names()} <= start.keys())
+    return _with(asked, (one for one in new if one.relation.check(scene, start).met))
+
+
+def _usual(scene: Scene, seed: int) -> Program:
+    """Return what the offline planner says of a scene, as what is usual."""
+    found = read_program(OfflinePlanner().plan(PlanRequest(scene, seed=seed)), scene)
+    statements, wishes = (
+        tuple(replace(one, by=CUSTOM, line=0) for one in some) for some in (found.statements, found.wishes)
+    )
+    return replace(found, statements=statements, wishes=wishes)
+
+
+def _with(asked: Program, wishes: Iterable[Statement]) -> Program:
+    """Return a program with so many wishes more, numbered on."""
+    more = (replace(one, number=number) for number, one in enumerate(wishes, len(asked.wishes) + 1))
+    return replace(asked, wishes=(*asked.wishes, *more))

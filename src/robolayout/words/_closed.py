@@ -46,7 +46,8 @@ class ClosedWords:
     def _is_relation(self, phrase: str, end: int) -> bool:
         """Return whether a phrase is a relation here: "opposite walls", "left bank" and "to the left wall" are none."""
         following = self._word(end)
-        if phrase in ("opposite", "across") and following.removesuffix("s") in ("wall", "side", "end", "corner"):
+        places = ("wall", "side", "end", "corner")
+        if phrase in ("opposite", "across", "adjoining") and following.removesuffix("s") in places:
             return False
         sided = phrase.endswith(("left", "right", "middle", "center", "centre")) and " its " not in phrase
         if sided and following and following not in MARKS:

@@ -18,12 +18,14 @@ LED, FINITE, PLURAL_DOES, ALONE_DOES, LED_BACK, MODAL = (
     _WORDS[name] for name in ("led", "finite", "plural_does", "alone_does", "led_back", "modal")
 )
 PEOPLE, YOUNG, SEATED, LEADING = (_WORDS[name] for name in ("people", "young", "seated", "leading"))
+SIBLINGS, BORN = _WORDS["siblings"], {"couple": 2, "twins": 2, "triplets": 3}
 SETS, SCALES, COMPARING, FREE = (_WORDS[name] for name in ("sets", "scales", "comparing", "free"))
 PICKING, RELATING, NAMED = (_WORDS[name] for name in ("picking", "relating", "named"))
 JOINED, ALIKE, EVERY, SEVERAL = (_ROWS[name] for name in ("joined", "alike", "every", "several"))
 SHARES: dict[str, float] = _DATA["shares"]
 OF_ROOMS: dict[str, dict[str, str]] = _DATA["of_rooms"]
 AREAS: dict[str, str] = _DATA["areas"]
+SAID_AS: dict[str, str] = _DATA["said_as"]
 ADDING, ROUND_IT = _WORDS["adding"], _WORDS["round_it"]
 NEARNESS, LAID, ZONES, OF_THE_ROOM = (_WORDS[name] for name in ("nearness", "laid", "zones", "of_the_room"))
 ORDERS, ALONE, CLOSE, SHARED = (_WORDS[name] for name in ("orders", "alone", "close", "shared"))

@@ -19,6 +19,9 @@ from robolayout.words.demands import Demand, Way, single, stated
 COMPASS = {"north": (0.0, -1.0), "south": (0.0, 1.0), "east": (-1.0, 0.0), "west": (1.0, 0.0)}
 """Inward normals of walls by name, as on a plan: north is up."""
 
+ADJOINING = frozenset(("adjacent", "adjoining", "neighbouring", "neighboring", "perpendicular"))
+"""Words for walls that meet in a corner."""
+
 SAME = 0.05
 """Metres by which walls that count as equally long may differ."""
 
@@ -62,6 +65,11 @@ def _across(one: Wall, two: Wall) -> bool:
 def _opposed(one: tuple[float, float], two: tuple[float, float]) -> bool:
     """Return whether two unit vectors point more against than across each other."""
     return one[0] * two[0] + one[1] * two[1] < -math.sqrt(0.5)
+
+
+def _meet(one: Wall, two: Wall) -> bool:
+    """Return whether two walls meet in a corner."""
+    return one is not two and {one.start, one.end} & {two.start, two.end} != set()
 
 
 def corners_meant(room: Room, place: Place) -> list[int]:
@@ -180,10 +188,10 @@ class AtPlaces:
 
     def _at_walls(self, subjects: Sequence[str], there: Sequence[str], place: Place, *, on: bool) -> Iterator[Way]:
         """Yield the ways in which things are at the wall where others are, or at the one across from it."""
-        same = "same" in place.words
+        same, meeting = "same" in place.words, not ADJOINING.isdisjoint(place.words)
         for one in self.room.walls:
             for two in self.room.walls:
-                if one is two if same else _across(one, two):
+                if one is two if same else _meet(one, two) if meeting else _across(one, two):
                     both = [*((a, one) for a in there), *((a, two) for a in subjects)]
                     yield tuple(stated(self._held(a, on), AssetRef(a), WallRef(wall.index)) for a, wall in both)
 
@@ -192,7 +200,7 @@ class AtPlaces:
     ) -> Iterator[Demand]:
         """Yield that things stand at a place of the room; where several share it, each somewhat farther from its middle."""
         opposite = "opposite" in place.words or (place.det == "both" and not place.words)  # "benches along both walls"
-        together = "same" in place.words or (place.plural and opposite)
+        together = "same" in place.words or (place.plural and (opposite or not ADJOINING.isdisjoint(place.words)))
         corners = corners_meant(self.room, place) if place.name == "corner" else []
         if place.name == "wall" and together and len(subjects) > 1 and "middle" not in place.words:
             half = (len(subjects) + 1) // 2  # at one wall, or one half at each of two

@@ -13,7 +13,7 @@ from robolayout.assets.palette import STYLED, WOODS
 from robolayout.words._appositions import described
 from robolayout.words._chunk import Chunk
 from robolayout.words._chunks import PLACING, Chunker
-from robolayout.words._function_words import AFTER_A_PLACE, LEAST_SAID, ROUND, YOUNG
+from robolayout.words._function_words import AFTER_A_PLACE, BORN, LEAST_SAID, ROUND, SAID_AS, SIBLINGS, YOUNG
 from robolayout.words._kinds import settle_kinds
 from robolayout.words._lexicon import Lexicon, grammar
 from robolayout.words._parse import Parser
@@ -26,11 +26,12 @@ LONGEST = 4000
 BEFORE_A_PLACE = frozenset(("filler", "verb", "style", "measure", "comma", "colon", "pron", "other", "function"))
 """Kinds of chunks that may stand before the place that a text begins with."""
 
-SHARING, JOINING = (
+SHARING, JOINING, OPEN = (
     ("kitchen", "living room", "dining room", "office", "bedroom", "library"),
     {"and", "with", "a", "an", ",", "&", "/"},
+    {"open", "opening", "opens", "to", "into", "onto", "that", "is", "which"},
 )
-"""Rooms that may share one floor, and what stands between their names where they do."""
+"""Rooms that may share one floor, and what stands between their names where they do, or where one opens to the other."""
 
 MOST_OF_A_KIND = 200
 """Largest count that is furnished for."""
@@ -75,7 +76,8 @@ class Reading:
         found, last = [f"{word} room" for word in rooms[first[0]].adjectives], rooms[first[0]]
         for chunk in rooms[first[0] + 1 :]:
             between = {word.text for word in self.words[last.end : chunk.start]}
-            if not between <= JOINING or (chunk.det == "the" and last is self.placed):
+            opened = between <= OPEN and not between.isdisjoint(("open", "opening", "opens"))
+            if not opened and (not between <= JOINING or (chunk.det == "the" and last is self.placed)):
                 break
             found, last = [*found, chunk.value], chunk
         return list(dict.fromkeys(name for name in found if name in SHARING and name != self.room))
@@ -147,7 +149,7 @@ class Reading:
         rooms = [chunk.adjectives for chunk in self.parsed.facts if chunk.kind == "room"]
         lower = self.text.lower().replace("-", " ")
         said = any(f"l shaped {noun}" in lower for noun in ("room", "layout", "space", "floor"))
-        said = said or any("l" in words and {"shaped", "shape"} & set(words) for words in rooms)
+        said = said or any("l" in words and {"shaped", "shape"} & {*words} for words in rooms if self.room != "kitchen")
         return "L-shaped" if said else "rectangular"
 
     @property
@@ -173,7 +175,7 @@ def read_text(text: str, lexicon: Lexicon) -> Reading:
         SceneError: Its figures make no sense.
     """
     read = text[:LONGEST]
-    words = tokens(read)
+    words = _said_besides(tokens(read))
     chunks = described(Chunker(words, measures(read), lexicon).chunks())
     named = _place_named(chunks, words)
     if named is not None:
@@ -189,8 +191,11 @@ def read_text(text: str, lexicon: Lexicon) -> Reading:
         ][:1]
     bodies.sort(key=lambda body: LEAST_SAID.index(body) if body in LEAST_SAID else -1)
     people = [c.number for c in parsed.facts if c.kind in ("people", "body") and c.number]
-    people += [2 for c in parsed.facts if c.kind == "people" and c.value == "couple"] + [parsed.people]
+    people += [BORN[c.value] for c in parsed.facts if c.kind == "people" and c.value in BORN]
+    siblings = [c for c in parsed.facts if c.kind == "people" and c.value in SIBLINGS]
+    people += [len(siblings)] * (len(siblings) > 1) + [parsed.people]  # "for a boy and a girl"
     young = "child_6" in bodies or any(c.kind == "people" and c.value in YOUNG for c in parsed.facts)
+    young = young or len(siblings) > 1
     settle_kinds(parsed)
     number = bounded(people[0], "people")
     seats = number or next((thing.people * thing.count for thing in parsed.things if thing.people), 0)
@@ -212,6 +217,18 @@ def read_text(text: str, lexicon: Lexicon) -> Reading:
         only=any(word.text == "only" for word in words) or "nothing else" in read.lower(),
         unread=len(text) - len(read),
     )
+
+
+def _said_besides(words: list[Token]) -> list[Token]:
+    """Return the words of a text with a sentence more for each name of an arrangement in it ("a galley kitchen"), in that place."""
+    text = [word.text for word in words]
+    for phrase, said in SAID_AS.items():
+        size = len(named := phrase.split())
+        known = {"table", "tables"} & {*text} and "table" in said  # "a kitchen-diner with a table for six"
+        for at in (at for at in range(len(text) - size + 1) if text[at : at + size] == named and not known):
+            start, end = words[at].start, words[at + size - 1].end
+            words = [*words, *(Token(word.text, start, end) for word in tokens(f". {said}"))]
+    return words
 
 
 def bounded(count: int, what: str) -> int:

@@ -1,0 +1,105 @@
+"""Rooms that a name arranges: kitchens by their counters, two rooms that open to each other, as many beds as children."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+from said_rooms import made, of
+
+from robolayout.run.result import Result
+
+
+def walls_of(result: Result, kind: str) -> list[int]:
+    """Return the index of the wall that each of a kind has its back to."""
+    found = list[int]()
+    for name in of(result, kind):
+        pose, depth = result.layout[name], result.scene.by_name[name].size[0]
+        back = (pose.x - depth / 2 * math.cos(pose.yaw), pose.y - depth / 2 * math.sin(pose.yaw))
+        gaps = {
+            wall.index: abs(sum((b - s) * n for b, s, n in zip(back, wall.start, wall.normal, strict=True)))
+            for wall in result.scene.room.walls
+        }
+        found.append(min(gaps, key=lambda index: gaps[index]))
+        assert gaps[found[-1]] < 0.1
+    return found
+
+
+@pytest.mark.parametrize(
+    ("text", "walls", "apart"),
+    [
+        ("an L-shaped kitchen", 2, {1, 3}),
+        ("a galley kitchen", 2, {2}),
+        ("a U-shaped kitchen", 3, {1, 2, 3}),
+        ("a one-wall kitchen", 1, {0}),
+    ],
+)
+def test_the_name_of_a_kitchen_says_where_its_counters_are(text: str, walls: int, apart: set[int]) -> None:
+    result = made(text)
+    assert result.report.ok and len(result.scene.room.vertices) == 4
+    found = walls_of(result, "kitchen_counter")
+    assert len({*found}) == walls
+    assert {abs(one - other) for one in found for other in found if one != other or walls == 1} <= apart
+    assert any(row.kind == "relation" and row.verdict == "met" for row in result.report.asked)
+
+
+def test_an_l_shaped_room_that_is_no_kitchen_is_one() -> None:
+    assert len(made("an L-shaped living room").scene.room.vertices) == 6
+
+
+def test_all_of_a_one_wall_kitchen_is_at_one_wall() -> None:
+    result = made("a one-wall kitchen")
+    kinds = ("kitchen_counter", "kitchen_sink", "stove", "fridge")
+    assert len({wall for kind in kinds for wall in walls_of(result, kind)}) == 1
+
+
+def test_adjoining_walls_meet() -> None:
+    one, other = walls_of(made("a study with two bookshelves on adjoining walls"), "bookshelf")
+    assert abs(one - other) in (1, 3)
+
+
+@pytest.mark.parametrize("text", ["a kitchen open to the living room", "a living room that opens to the kitchen"])
+def test_a_room_that_opens_to_another_has_what_both_have(text: str) -> None:
+    result = made(text)
+    assert result.report.ok and of(result, "stove") and of(result, "sofa")
+
+
+@pytest.mark.parametrize(
+    ("text", "chairs"),
+    [("a kitchen-diner", 4), ("an eat-in kitchen", 4), ("a kitchen-diner with a table for six", 6)],
+)
+def test_one_eats_in_a_kitchen_diner(text: str, chairs: int) -> None:
+    result = made(text)
+    assert result.report.ok and of(result, "stove")
+    assert (len(of(result, "dining_table")), len(of(result, "chair"))) == (1, chairs)
+
+
+@pytest.mark.parametrize(
+    ("text", "kind", "count"),
+    [
+        ("a kids room for a boy and a girl", "bed", 2),
+        ("a bedroom for my son and my daughter", "bed", 2),
+        ("a nursery for twins", "crib", 2),
+        ("a yoga studio for eight", "yoga_mat", 8),
+        ("a yoga studio", "yoga_mat", 4),
+        ("a coworking space for ten", "desk", 10),
+        ("a bar with six stools", "bar_stool", 6),
+        ("a laundry room with a folding table", "chair", 0),
+    ],
+)
+def test_there_is_as_much_as_people_need(text: str, kind: str, count: int) -> None:
+    result = made(text)
+    assert result.report.ok
+    assert sum(name.rsplit("-", 1)[0].endswith(kind) for name in result.layout) == count
+
+
+def test_two_sofas_in_an_l_around_a_table_stand_at_a_right_angle() -> None:
+    result = made("two sofas in an L around a coffee table")
+    assert result.report.ok
+    first, second = (result.layout[name] for name in of(result, "sofa"))
+    turn = math.degrees(second.yaw - first.yaw) % 180
+    assert abs(turn - 90) < 10
+
+
+def test_dumbbells_do_not_lie_on_a_rack_that_is_full() -> None:
+    assert made("a gym with dumbbells").report.ok
