@@ -103,3 +103,22 @@ def test_two_sofas_in_an_l_around_a_table_stand_at_a_right_angle() -> None:
 
 def test_dumbbells_do_not_lie_on_a_rack_that_is_full() -> None:
     assert made("a gym with dumbbells").report.ok
+
+
+@pytest.mark.parametrize(
+    ("text", "kind", "count"),
+    [
+        ("a classroom with desks", "student_desk", 12),
+        ("a classroom with desks in pairs", "student_desk", 12),
+        ("a classroom with two desks", "student_desk", 2),
+        ("a cafe with tables", "round_table", 4),
+        ("a conference room with chairs along the wall", "office_chair", 2),
+        ("a study with a desk and two chairs", "monitor", 1),
+        ("an office with a desk and two guest chairs", "guest_chair", 2),
+        ("an office with a desk and two guest chairs", "office_chair", 1),
+    ],
+)
+def test_a_plural_without_a_number_is_what_is_usual_there(text: str, kind: str, count: int) -> None:
+    result = made(text)
+    assert result.report.ok
+    assert len(of(result, kind)) == count

@@ -305,7 +305,23 @@ def read_wishes(text: str, own: Knowledge) -> RoomWishes:
         for thing in reading.parsed.things
         if thing.noun.guessed and not thing.noun.kind.startswith("unknown")
     ]
-    return RoomWishes(reading, room, tuple(guesses), rooms, lexicon, own.playing)
+    wishes = RoomWishes(reading, room, tuple(guesses), rooms, lexicon, own.playing)
+    for thing in reading.parsed.things:
+        thing.number = _usual_number(thing, wishes) or thing.number
+    return wishes
+
+
+def _usual_number(thing: NamedThing, wishes: RoomWishes) -> int:
+    """Return how many of a thing the people of such a room usually have, where a plural says no number; 0 where it is no more."""
+    said = thing.number is not None or thing.rows or thing.bound or thing.times > 1 or not thing.plural
+    led = (item for link in wishes.reading.parsed.links if thing in named(link.subjects) for item in link.objects)
+    aside = thing.noun.kind.endswith(SEATS) and any(isinstance(item, Place) for item in led)  # "chairs along the wall"
+    if said or aside:
+        return 0
+    name, people = wishes.kind(thing), wishes.reading.people or wishes.room.people
+    at_one = 2 if name == "round table" else 4
+    usual = math.ceil(people / at_one) if name == wishes.room.tables else wishes.room.person.get(name, 0) * people
+    return usual if usual > thing.count else 0
 
 
 def _room(reading: Reading, rooms: RoomTypes) -> tuple[RoomType, list[str]]:

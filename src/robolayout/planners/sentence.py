@@ -180,8 +180,8 @@ def _people(wishes: RoomWishes, wished: dict[str, int]) -> int:
     taken |= {"computer"} if "desk" in taken else set()
     if "desk" in {head(name) for name in wished}:
         taken -= {"computer", "monitor"}  # two on a desk are of one person
-    if "desk" in taken and wishes.seats:
-        taken = {"desk"}  # who sits at the table also has a desk
+    if "desk" in taken and (wishes.seats or any(head(name) == "desk" for name in room.person.keys() & wished.keys())):
+        taken = {"desk"}  # who sits at the table also has a desk, and each of the other chairs is somebody else's
     tables = [(wishes.kinds[name], n) for name, n in wished.items() if room.tables and head(name) == "table"]
     seats = sum(count * (2 if max(kind.size[:2]) <= SIZES.for_two else 4) for kind, count in tables)
     own = [count for name, count in wished.items() if head(name) in taken and not visits(name)]
