@@ -361,7 +361,7 @@ class Relating(About):
 
     def _between_the_last(self) -> list[Item]:
         """Return what faces another thing, and that, where it was said last: "two armchairs facing it and a table in between"."""
-        last = self.said.links[-1] if self.said.links else None
+        last = next((link for link in reversed(self.said.links) if link.relation != "with"), None)
         if last is None or last.relation not in ("facing", "opposite") or last.start < self.began:
             return []
         return [*last.subjects, *last.objects] if mentions(last.objects) else []
