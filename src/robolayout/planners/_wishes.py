@@ -321,6 +321,7 @@ def _usual_number(thing: NamedThing, wishes: RoomWishes) -> int:
     name, people = wishes.kind(thing), wishes.reading.people or wishes.room.people
     at_one = 2 if name == "round table" else 4
     usual = math.ceil(people / at_one) if name == wishes.room.tables else wishes.room.person.get(name, 0) * people
+    usual = max(usual, wishes.room.base.get(name, 0))
     return usual if usual > thing.count else 0
 
 
