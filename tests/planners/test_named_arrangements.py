@@ -79,6 +79,8 @@ def test_one_eats_in_a_kitchen_diner(text: str, chairs: int) -> None:
     [
         ("a kids room for a boy and a girl", "bed", 2),
         ("a bedroom for my son and my daughter", "bed", 2),
+        ("a kids room for one boy and one girl", "bed", 2),
+        ("a bedroom for two boys and a girl", "bed", 3),
         ("a nursery for twins", "crib", 2),
         ("a yoga studio for eight", "yoga_mat", 8),
         ("a yoga studio", "yoga_mat", 4),

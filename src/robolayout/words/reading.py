@@ -190,10 +190,10 @@ def read_text(text: str, lexicon: Lexicon) -> Reading:
             lexicon.bodies[who] for run in runs for who in (run, run.removesuffix("s")) if who in lexicon.bodies
         ][:1]
     bodies.sort(key=lambda body: LEAST_SAID.index(body) if body in LEAST_SAID else -1)
-    people = [c.number for c in parsed.facts if c.kind in ("people", "body") and c.number]
-    people += [BORN[c.value] for c in parsed.facts if c.kind == "people" and c.value in BORN]
-    siblings = [c for c in parsed.facts if c.kind == "people" and c.value in SIBLINGS]
-    people += [len(siblings)] * (len(siblings) > 1) + [parsed.people]  # "for a boy and a girl"
+    siblings = [c.number or 1 for c in parsed.facts if c.kind == "people" and c.value.removesuffix("s") in SIBLINGS]
+    people = [sum(siblings)] * (len(siblings) > 1)  # "for a boy and a girl"
+    people += [c.number for c in parsed.facts if c.kind in ("people", "body") and c.number]
+    people += [BORN[c.value] for c in parsed.facts if c.kind == "people" and c.value in BORN] + [parsed.people]
     young = "child_6" in bodies or any(c.kind == "people" and c.value in YOUNG for c in parsed.facts)
     young = young or len(siblings) > 1
     settle_kinds(parsed)
