@@ -127,3 +127,25 @@ def test_a_plural_without_a_number_is_what_is_usual_there(text: str, kind: str, 
     result = made(text)
     assert result.report.ok
     assert len(of(result, kind)) == count
+
+
+@pytest.mark.parametrize(
+    ("text", "counts"),
+    [
+        ("a classroom with desks for 20 students", {"student_desk": 20, "chair": 20}),
+        ("an office with desks for six", {"desk": 6, "office_chair": 6, "monitor": 6}),
+        ("a waiting room with seats for 20", {"seat": 20, "chair": 0}),
+        ("a cinema with seats for 40", {"theater_seat": 40, "chair": 0}),
+        ("a cafe with tables for 20", {"round_table": 10, "chair": 20}),
+        ("a restaurant with tables for 30 guests", {"dining_table": 8, "chair": 32}),
+        ("a church with pews for 60", {"pew": 20, "chair": 0}),
+        ("a bedroom with beds for three", {"bed": 3, "chair": 0}),
+        ("a yoga studio with mats for ten", {"yoga_mat": 10}),
+        ("a living room with a sofa for four", {"sofa": 1, "chair": 0}),
+    ],
+)
+def test_things_for_so_many_are_as_many_as_these_need(text: str, counts: dict[str, int]) -> None:
+    """Twenty desks for twenty had twenty chairs each; a cinema for forty was refused for its 3,454 things."""
+    result = made(text)
+    assert result.report.ok
+    assert {kind: len(of(result, kind)) for kind in counts} == counts

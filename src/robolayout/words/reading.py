@@ -17,7 +17,7 @@ from robolayout.words._function_words import AFTER_A_PLACE, BORN, LEAST_SAID, RO
 from robolayout.words._kinds import settle_kinds
 from robolayout.words._lexicon import Lexicon, grammar
 from robolayout.words._parse import Parser
-from robolayout.words._said import ONE_EACH, Parsed, place_in, places
+from robolayout.words._said import ONE_EACH, OWN, NamedThing, Parsed, place_in, places
 from robolayout.words._tokens import Measure, Size, Token, count_of, measures, tokens
 
 LONGEST = 4000
@@ -32,6 +32,9 @@ SHARING, JOINING, OPEN = (
     {"open", "opening", "opens", "to", "into", "onto", "that", "is", "which"},
 )
 """Rooms that may share one floor, and what stands between their names where they do, or where one opens to the other."""
+
+BENCHES, ABREAST = ("pew", "bench", "sofa", "booth"), 0.6
+"""Last words of what several sit on, and metres of it that each takes."""
 
 MOST_OF_A_KIND = 200
 """Largest count that is furnished for."""
@@ -198,6 +201,7 @@ def read_text(text: str, lexicon: Lexicon) -> Reading:
     young = young or len(siblings) > 1
     settle_kinds(parsed)
     number = bounded(people[0], "people")
+    number = _shared_out(parsed.things, number)
     seats = number or next((thing.people * thing.count for thing in parsed.things if thing.people), 0)
     for thing in parsed.things:
         if seats and thing.plural and thing.number is None and thing.head in ONE_EACH:
@@ -217,6 +221,21 @@ def read_text(text: str, lexicon: Lexicon) -> Reading:
         only=any(word.text == "only" for word in words) or "nothing else" in read.lower(),
         unread=len(text) - len(read),
     )
+
+
+def _shared_out(things: Sequence[NamedThing], number: int) -> int:
+    """Settle how many there are of what is for so many people ("desks for twenty", "pews for sixty"); return for how many the room is."""
+    for thing in (one for one in things if one.people):
+        uncounted, wide = thing.plural and thing.number is None, thing.category.size[1]
+        if thing.head in OWN and uncounted:
+            thing.number = number = number or bounded(thing.people, "people")
+        elif thing.head in BENCHES and uncounted:
+            thing.number = math.ceil(thing.people / max(int(wide / ABREAST), 1))
+        elif thing.head in BENCHES and thing.people * ABREAST > wide and not thing.sizes:
+            thing.sizes.append(Measure("wide", (round(thing.people * ABREAST, 2),), 0, 0))
+        if thing.head in BENCHES or (thing.head in OWN and uncounted):
+            thing.people = 0  # they have their seats
+    return number
 
 
 def _said_besides(words: list[Token]) -> list[Token]:
