@@ -142,6 +142,13 @@ def test_a_plural_without_a_number_is_what_is_usual_there(text: str, kind: str, 
         ("a bedroom with beds for three", {"bed": 3, "chair": 0}),
         ("a yoga studio with mats for ten", {"yoga_mat": 10}),
         ("a living room with a sofa for four", {"sofa": 1, "chair": 0}),
+        ("a library with tables for 12", {"dining_table": 2, "chair": 12}),
+        ("a dining room seating ten", {"dining_table": 1, "chair": 10}),
+        ("a conference room with seating for 12", {"office_chair": 12}),
+        ("a classroom with two dozen desks", {"student_desk": 24}),
+        ("half a dozen stools at the bar", {"bar_stool": 6}),
+        ("a call center for 20 agents", {"desk": 20}),
+        ("a bedroom for a family of four", {"single_bed": 4}),
     ],
 )
 def test_things_for_so_many_are_as_many_as_these_need(text: str, counts: dict[str, int]) -> None:

@@ -320,11 +320,13 @@ def _usual_number(thing: NamedThing, wishes: RoomWishes) -> int:
         return 0
     name, people = wishes.kind(thing), wishes.reading.people or wishes.room.people
     at_one = thing.people if 0 < thing.people <= AT_ONE else 2 if name == "round table" else 4
-    if thing.people > AT_ONE:  # "tables for twenty" in a cafe, no large tables
-        people, thing.people = thing.people, at_one if name == wishes.room.tables else thing.people
+    if thing.people > AT_ONE:  # "tables for twenty": small ones in a cafe, no huge ones elsewhere
+        number = math.ceil(thing.people / (at_one if name == wishes.room.tables else AT_ONE))
+        thing.people = math.ceil(thing.people / number)
+        return number
     usual = math.ceil(people / at_one) if name == wishes.room.tables else wishes.room.person.get(name, 0) * people
     usual = max(usual, wishes.room.base.get(name, 0))
-    return usual if usual > thing.count and thing.people <= AT_ONE else 0
+    return usual if usual > thing.count else 0
 
 
 def _room(reading: Reading, rooms: RoomTypes) -> tuple[RoomType, list[str]]:

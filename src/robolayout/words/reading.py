@@ -178,7 +178,7 @@ def read_text(text: str, lexicon: Lexicon) -> Reading:
         SceneError: Its figures make no sense.
     """
     read = text[:LONGEST]
-    words = _said_besides(tokens(read))
+    words = _said_besides(_counted(tokens(read)))
     chunks = described(Chunker(words, measures(read), lexicon).chunks())
     named = _place_named(chunks, words)
     if named is not None:
@@ -236,6 +236,27 @@ def _shared_out(things: Sequence[NamedThing], number: int) -> int:
         if thing.head in BENCHES or (thing.head in OWN and uncounted):
             thing.people = 0  # they have their seats
     return number
+
+
+def _counted(words: list[Token]) -> list[Token]:
+    """Return the words of a text with numbers of several words in one: "half a dozen", "two dozen", "a family of four", "seating ten"."""
+    found, at = list[Token](), 0
+    while at < len(words):
+        text = [word.text for word in words[at : at + 4]] + [""] * 4
+        first, second = (count_of(word) for word in text[:2])
+        more: tuple[int, list[str]] = (1, text[:1])
+        if text[:3] == ["half", "a", "dozen"]:
+            more = (3, ["6"])
+        elif text[1] == "dozen" and first:
+            more = (2, [str(12 * first)])
+        elif text[:3] == ["a", "family", "of"] and count_of(text[3]):
+            more = (4, [text[3], "people"])
+        elif text[0] == "seating" and second:
+            more = (1, ["for"])
+        start, end = words[at].start, words[at + more[0] - 1].end
+        found += [Token(word, start, end) for word in more[1]]
+        at += more[0]
+    return found
 
 
 def _said_besides(words: list[Token]) -> list[Token]:
