@@ -209,7 +209,7 @@ def test_each_pair_that_faces_each_other_has_its_table_between() -> None:
 def test_racks_with_an_aisle_between_them_face_each_other_across_it() -> None:
     result = made("a server room with two rows of four racks facing each other with a 1.2 m aisle between them")
     assert result.report.ok
-    racks = of(result, "shelving_unit")
+    racks = of(result, "server_rack")
     across = [result.layout[racks[0]].seen(result.layout[name].at)[0] for name in racks]
     apart = [abs(x) - result.scene.by_name[racks[0]].size[0] for x in across if abs(x) > 0.1]
     assert len(apart) == 4

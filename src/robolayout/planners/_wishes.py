@@ -315,9 +315,8 @@ def _usual_number(thing: NamedThing, wishes: RoomWishes) -> int:
     """Return how many of a thing the people of such a room usually have, where a plural says no number; 0 where it is no more."""
     said = thing.number is not None or thing.rows or thing.bound or thing.times > 1 or not thing.plural
     led = (item for link in wishes.reading.parsed.links if thing in named(link.subjects) for item in link.objects)
-    aside = thing.noun.kind.endswith(SEATS) and any(isinstance(item, Place) for item in led)  # "chairs along the wall"
-    if said or aside:
-        return 0
+    if said or (thing.people <= AT_ONE and any(isinstance(item, Place) for item in led)):
+        return 0  # "chairs along the wall" are some of them
     name, people = wishes.kind(thing), wishes.reading.people or wishes.room.people
     at_one = thing.people if 0 < thing.people <= AT_ONE else 2 if name == "round table" else 4
     if thing.people > AT_ONE:  # "tables for twenty": small ones in a cafe, no huge ones elsewhere
