@@ -307,25 +307,25 @@ def read_wishes(text: str, own: Knowledge) -> RoomWishes:
     ]
     wishes = RoomWishes(reading, room, tuple(guesses), rooms, lexicon, own.playing)
     for thing in reading.parsed.things:
-        thing.number = _usual_number(thing, wishes) or thing.number
+        _settle_number(thing, wishes)
     return wishes
 
 
-def _usual_number(thing: NamedThing, wishes: RoomWishes) -> int:
-    """Return how many of a thing the people of such a room usually have, where a plural says no number; 0 where it is no more."""
+def _settle_number(thing: NamedThing, wishes: RoomWishes) -> None:
+    """Settle how many there are where a plural says no number: what the people of such a room usually have, no table for a crowd."""
     said = thing.number is not None or thing.rows or thing.bound or thing.times > 1 or not thing.plural
+    name, room, crowd = wishes.kind(thing), wishes.room, thing.people > AT_ONE
     led = (item for link in wishes.reading.parsed.links if thing in named(link.subjects) for item in link.objects)
-    if said or (thing.people <= AT_ONE and any(isinstance(item, Place) for item in led)):
-        return 0  # "chairs along the wall" are some of them
-    name, people = wishes.kind(thing), wishes.reading.people or wishes.room.people
-    at_one = thing.people if 0 < thing.people <= AT_ONE else 2 if name == "round table" else 4
-    if thing.people > AT_ONE:  # "tables for twenty": small ones in a cafe, no huge ones elsewhere
-        number = math.ceil(thing.people / (at_one if name == wishes.room.tables else AT_ONE))
-        thing.people = math.ceil(thing.people / number)
-        return number
-    usual = math.ceil(people / at_one) if name == wishes.room.tables else wishes.room.person.get(name, 0) * people
-    usual = max(usual, wishes.room.base.get(name, 0))
-    return usual if usual > thing.count else 0
+    if said or (not crowd and any(isinstance(item, Place) for item in led)):
+        return  # "chairs along the wall" are some of them
+    if crowd:  # "tables for twenty": small ones in a cafe, large ones elsewhere
+        thing.number = math.ceil(thing.people / (room.at_table if name == room.tables else AT_ONE))
+        thing.people = math.ceil(thing.people / thing.number)
+        return
+    people = wishes.reading.people or room.people
+    at_tables = math.ceil(people / (thing.people or room.at_table)) if name == room.tables else 0
+    usual = max(at_tables or room.person.get(name, 0) * people, room.base.get(name, 0))
+    thing.number = usual if usual > thing.count else None
 
 
 def _room(reading: Reading, rooms: RoomTypes) -> tuple[RoomType, list[str]]:

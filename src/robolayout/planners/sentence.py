@@ -154,7 +154,7 @@ def _wished(wishes: RoomWishes) -> dict[str, int]:
                 wished[_chair(room)] += count * people  # besides those at the table
     chairs = sum(n for name, n in wished.items() if head(name) == "chair")
     if room.tables and not any(head(name) == "table" for name in wished if "buffet" not in name):
-        wished[room.tables] = math.ceil(chairs / (2 if room.tables == "round table" else 4))
+        wished[room.tables] = math.ceil(chairs / room.at_table)
     return dict(wished)
 
 

@@ -46,7 +46,7 @@ class ProgramLimits:
 
 
 CUSTOM = "custom"
-"""Who asks for what is usual, of a thing that a program says nothing about."""
+"""Who asks for what is usual, of a thing that a program says nothing about, or of a layout that is mended."""
 
 
 @dataclass(frozen=True)
@@ -58,7 +58,7 @@ class Statement:
     source: str = ""  # that call as it is written, on one line
     number: int = 0  # its place among the statements, counted from 1; wishes are counted by themselves
     wish: float | None = None  # its weight if it is a wish and no demand; below 0 it is rather not wanted
-    # who asks for it: "user" where it is what the words of the scene say, "custom" where the program is silent, else "plan"
+    # who asks for it: "user" where it is what the words of the scene say, "custom" where it is usual, else "plan"
     by: str = "plan"
 
 

@@ -32,7 +32,7 @@ from robolayout.verify import AgentSpec
 LEVEL = 0.05  # metres above a top up to which something counts as standing on it
 
 USUAL = 4.0
-"""Weight of the wish that a thing of which a program says nothing stands as is usual, where that is no wish itself."""
+"""Weight of what the offline planner states of a thing, where it is only wished for as what is usual."""
 
 LONGEST_WORD = 45  # letters of the longest word of a dictionary: more of them without a blank are a path
 
@@ -131,30 +131,22 @@ def completed(asked: Program, scene: Scene, *, seed: int) -> Program:
     if not (silent := {*asked.forgotten()}):
         return asked
     usual = _usual(scene, seed)
-    about = (
-        replace(one, wish=USUAL if one.wish is None else one.wish)
-        for one in (*usual.statements, *usual.wishes)
-        if asked.expressions[one.relation.asset_names()[0]] in silent
-    )
-    return _with(asked, about)
+    return _with(asked, [one for one in usual if asked.expressions[one.relation.asset_names()[0]] in silent])
 
 
 def as_it_was(asked: Program, scene: Scene, start: Layout, *, seed: int) -> Program:
     """Return a program that also wishes what is usual and holds in a layout, so that mending it keeps that."""
-    usual = _usual(scene, seed)
     said = {one.relation for one in (*asked.statements, *asked.wishes)}
-    kept = (replace(one, wish=USUAL if one.wish is None else one.wish) for one in (*usual.statements, *usual.wishes))
-    new = (one for one in kept if one.relation not in said and {*one.relation.asset_names()} <= start.keys())
-    return _with(asked, (one for one in new if one.relation.check(scene, start).met))
+    new = (one for one in _usual(scene, seed) if one.relation not in said)
+    there = (one for one in new if {*one.relation.asset_names()} <= start.keys())
+    return _with(asked, [one for one in there if one.relation.check(scene, start).met])
 
 
-def _usual(scene: Scene, seed: int) -> Program:
-    """Return what the offline planner says of a scene, as what is usual."""
+def _usual(scene: Scene, seed: int) -> list[Statement]:
+    """Return what the offline planner states and wishes of a scene, all as wishes for what is usual."""
     found = read_program(OfflinePlanner().plan(PlanRequest(scene, seed=seed)), scene)
-    statements, wishes = (
-        tuple(replace(one, by=CUSTOM, line=0) for one in some) for some in (found.statements, found.wishes)
-    )
-    return replace(found, statements=statements, wishes=wishes)
+    told = (*found.statements, *found.wishes)
+    return [replace(one, wish=USUAL if one.wish is None else one.wish, by=CUSTOM, line=0) for one in told]
 
 
 def _with(asked: Program, wishes: Iterable[Statement]) -> Program:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import operator
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import combinations, product
@@ -69,7 +70,7 @@ def _opposed(one: tuple[float, float], two: tuple[float, float]) -> bool:
 
 def _meet(one: Wall, two: Wall) -> bool:
     """Return whether two walls meet in a corner."""
-    return one is not two and {one.start, one.end} & {two.start, two.end} != set()
+    return one is not two and not {one.start, one.end}.isdisjoint((two.start, two.end))
 
 
 def corners_meant(room: Room, place: Place) -> list[int]:
@@ -188,10 +189,11 @@ class AtPlaces:
 
     def _at_walls(self, subjects: Sequence[str], there: Sequence[str], place: Place, *, on: bool) -> Iterator[Way]:
         """Yield the ways in which things are at the wall where others are, or at the one across from it."""
-        same, meeting = "same" in place.words, not ADJOINING.isdisjoint(place.words)
+        meeting = not ADJOINING.isdisjoint(place.words)
+        fits = operator.is_ if "same" in place.words else _meet if meeting else _across
         for one in self.room.walls:
             for two in self.room.walls:
-                if one is two if same else _meet(one, two) if meeting else _across(one, two):
+                if fits(one, two):
                     both = [*((a, one) for a in there), *((a, two) for a in subjects)]
                     yield tuple(stated(self._held(a, on), AssetRef(a), WallRef(wall.index)) for a, wall in both)
 

@@ -14,8 +14,10 @@ from robolayout.words._tokens import Measure
 from robolayout.words._ways import SEATS
 
 ONE_EACH = ("chair", "desk")
-OWN = (*ONE_EACH, "seat", "stool", "armchair", "recliner", "bed", "crib", "mat", "locker")
 """Things of which everyone has one, where several are named without a number."""
+
+OWN = (*ONE_EACH, "seat", "stool", "armchair", "recliner", "bed", "crib", "mat", "locker")
+"""Things of which everyone has one, where several are named for so many people."""
 
 LONG = 3
 """Things of a row of which no number is said."""

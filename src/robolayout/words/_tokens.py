@@ -150,7 +150,28 @@ def tokens(text: str) -> list[Token]:
     if len(lower) != len(text):  # a letter whose small form is longer: places would no longer fit
         lower = "".join(char.lower() if len(char.lower()) == 1 else char for char in text).replace("\u2019", "'")
     found = ((m.span(), _written.get(m.group(), (re.sub("[' -]", "", m.group()),))) for m in _TOKEN.finditer(lower))
-    return [Token(word, *span) for span, said in found for word in said]
+    return _counted([Token(word, *span) for span, said in found for word in said])
+
+
+def _counted(words: list[Token]) -> list[Token]:
+    """Return the words of a text with numbers of several words in one: "half a dozen", "two dozen", "a family of four", "seating ten"."""
+    found, at = list[Token](), 0
+    while at < len(words):
+        text = [word.text for word in words[at : at + 4]] + [""] * 4
+        first, second = (count_of(word) for word in text[:2])
+        more: tuple[int, list[str]] = (1, text[:1])
+        if text[:3] == ["half", "a", "dozen"]:
+            more = (3, ["6"])
+        elif text[1] == "dozen" and first:
+            more = (2, [str(12 * first)])
+        elif text[:3] == ["a", "family", "of"] and count_of(text[3]):
+            more = (4, [text[3], "people"])
+        elif text[0] == "seating" and second:
+            more = (1, ["for"])
+        start, end = words[at].start, words[at + more[0] - 1].end
+        found += [Token(word, start, end) for word in more[1]]
+        at += more[0]
+    return found
 
 
 def measures(text: str) -> list[Measure]:

@@ -34,7 +34,7 @@ SHARING, JOINING, OPEN = (
 """Rooms that may share one floor, and what stands between their names where they do, or where one opens to the other."""
 
 BENCHES, ABREAST = ("pew", "bench", "sofa", "booth"), 0.6
-"""Last words of what several sit on, and metres of it that each takes."""
+"""Last words of what several sit on, and metres of it that each is given (the judge counts a seat from less)."""
 
 MOST_OF_A_KIND = 200
 """Largest count that is furnished for."""
@@ -178,7 +178,7 @@ def read_text(text: str, lexicon: Lexicon) -> Reading:
         SceneError: Its figures make no sense.
     """
     read = text[:LONGEST]
-    words = _said_besides(_counted(tokens(read)))
+    words = _said_besides(tokens(read))
     chunks = described(Chunker(words, measures(read), lexicon).chunks())
     named = _place_named(chunks, words)
     if named is not None:
@@ -225,38 +225,18 @@ def read_text(text: str, lexicon: Lexicon) -> Reading:
 
 def _shared_out(things: Sequence[NamedThing], number: int) -> int:
     """Settle how many there are of what is for so many people ("desks for twenty", "pews for sixty"); return for how many the room is."""
-    for thing in (one for one in things if one.people):
+    for thing in (one for one in things if one.people and one.head in (*OWN, *BENCHES)):
         uncounted, wide = thing.plural and thing.number is None, thing.category.size[1]
-        if thing.head in OWN and uncounted:
+        if thing.head in OWN and not uncounted:
+            continue
+        if thing.head in OWN:
             thing.number = number = number or bounded(thing.people, "people")
-        elif thing.head in BENCHES and uncounted:
+        elif uncounted:
             thing.number = math.ceil(thing.people / max(int(wide / ABREAST), 1))
-        elif thing.head in BENCHES and thing.people * ABREAST > wide and not thing.sizes:
+        elif thing.people * ABREAST > wide and not thing.sizes:
             thing.sizes.append(Measure("wide", (round(thing.people * ABREAST, 2),), 0, 0))
-        if thing.head in BENCHES or (thing.head in OWN and uncounted):
-            thing.people = 0  # they have their seats
+        thing.people = 0  # they have their seats
     return number
-
-
-def _counted(words: list[Token]) -> list[Token]:
-    """Return the words of a text with numbers of several words in one: "half a dozen", "two dozen", "a family of four", "seating ten"."""
-    found, at = list[Token](), 0
-    while at < len(words):
-        text = [word.text for word in words[at : at + 4]] + [""] * 4
-        first, second = (count_of(word) for word in text[:2])
-        more: tuple[int, list[str]] = (1, text[:1])
-        if text[:3] == ["half", "a", "dozen"]:
-            more = (3, ["6"])
-        elif text[1] == "dozen" and first:
-            more = (2, [str(12 * first)])
-        elif text[:3] == ["a", "family", "of"] and count_of(text[3]):
-            more = (4, [text[3], "people"])
-        elif text[0] == "seating" and second:
-            more = (1, ["for"])
-        start, end = words[at].start, words[at + more[0] - 1].end
-        found += [Token(word, start, end) for word in more[1]]
-        at += more[0]
-    return found
 
 
 def _said_besides(words: list[Token]) -> list[Token]:

@@ -36,6 +36,11 @@ class RoomType:
     height: float = 2.6  # usual wall height in metres
     floors: tuple[str, ...] = ("oak planks", "walnut planks", "pale ash planks")  # what may lie on the floor
 
+    @property
+    def at_table(self) -> int:
+        """How many sit at each of its tables."""
+        return 2 if self.tables == "round table" else 4
+
     def sharing(self, other: RoomType) -> RoomType:
         """Return it with what another room has, on one floor: an open plan kitchen and living room."""
         base = Counter(self.base) + Counter(other.base)
