@@ -37,7 +37,7 @@ IMPLICIT: tuple[Relation, ...] = (NoOverlap(), InsideRoom(), DoorClear(), RoomTo
 _BUILT_IN = """
 against_wall distance_constraint on_top_of inside align_with point_towards symmetric_pair next_to near in_front_of
 behind left_of right_of facing_pair corner centered_on around row grid under mounted_on ceiling_above above
-keep_clear zone at_window by_door mid_wall snug grouped toward in_rows between any_of
+keep_clear zone at_window by_door mid_wall snug grouped toward in_rows in_shape between any_of
 """  # one module each, in the order of the vocabulary
 
 for _word in _BUILT_IN.split():

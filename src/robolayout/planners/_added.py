@@ -12,7 +12,7 @@ import numpy as np
 
 from robolayout.planners._wishes import INSTEAD, RoomWishes, head
 from robolayout.scene import Agent
-from robolayout.words import WATCHING, Link, mentions, named, place_in, visits
+from robolayout.words import SHAPES, WATCHING, Link, mentions, named, place_in, visits
 
 COMFORT, AIRY = 0.26, 0.15
 """Shares of the floor up to which further things are added: usually, and in a room that is to be airy."""
@@ -51,13 +51,18 @@ class Added:
         self.fill = AIRY if wishes.reading.airy else self.fill
         self.asked = {*map(wishes.head, wishes.things), *({"bed"} & {*map(wishes.head, self.wished)})}
         self.lasts = {name.split()[-1] for name in wishes.things if INSTEAD.get(name) != name} | wishes.general
-        links = [link for link in wishes.reading.parsed.links if link.relation in ("on", "above")]
+        said = wishes.reading.parsed.links
+        links = [link for link in said if link.relation in ("on", "above")]
         laid = {mention.thing.noun.kind for link in links for mention in link.subjects}
         borne = {kind for kind in laid if "floor" not in wishes.kinds[kind].places}
         self.spared = wishes.reading.unwanted.union(*map(self._companions, borne))  # their bearer is said
         self.spared |= self._unseen() | self._crowded_out()
+        formed = [mention for link in said if link.relation in SHAPES for mention in link.subjects]
+        if formed:  # the middle of the room is theirs, and seats in a circle are at no desk
+            instead = ("desk", "pew") if any(mention.sat_on for mention in formed) else ()
+            usual = (*wishes.room.base, *wishes.room.extras)
+            self.spared |= {name for name in usual if name.endswith((*instead, "conference table", "dining table"))}
         self.named = self.spared | self.wished.keys()
-        said = wishes.reading.parsed.links
         corners = [k for k in said if k.relation in ("corner", "cleared") or place_in(k.objects[:1], "corner")]
         self.cornered = self._roles_of(corners)
         self.bared = self._roles_of([link for link in corners if link.relation == "cleared" and link.objects[1:]])

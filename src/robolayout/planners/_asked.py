@@ -13,6 +13,7 @@ from robolayout.constraints.any_of import AnyOf
 from robolayout.constraints.distance_constraint import DistanceConstraint
 from robolayout.constraints.in_front_of import InFrontOf
 from robolayout.constraints.in_rows import InRows
+from robolayout.constraints.in_shape import InShape
 from robolayout.constraints.keep_clear import KeepClear
 from robolayout.constraints.near import Near
 from robolayout.constraints.next_to import NextTo
@@ -64,8 +65,8 @@ def asked_lines(scene: Scene, demands: Sequence[Demand], known: set[str]) -> dic
     for demand in of_known:
         found += demand.ways[0] if len(demand.ways) == 1 else [AnyOf(demand.ways)]
         found += [demand.exact] if demand.exact is not None else []
-    under = [name for name in hung_over(scene, of_known) if name not in placed]
-    found += [AgainstWall(AssetRef(name)) for name in under]
+    under = hung_over(scene, of_known)
+    found += [AgainstWall(AssetRef(name)) for name in under if name not in placed]
     lines = {f"solver.{program.call(relation)}": relation.asset_names()[0] for relation in found}
     aside = f"weight={IN_THE_LIGHT:g}"
     return lines | {f"solver.wish.at_window({scene.expressions[name]}, {aside})": name for name in under}
@@ -152,8 +153,13 @@ def said(demands: Iterable[Demand], *, placing: bool = False) -> list[Relation]:
 
 def subjects(demands: Iterable[Demand]) -> set[str]:
     """Return what is asked to be somewhere."""
-    placing = ((one.asset_names(), one.name == "in_rows") for one in said(demands, placing=True))
+    placing = ((one.asset_names(), one.name in ("in_rows", "in_shape")) for one in said(demands, placing=True))
     return {name for names, rows in placing for name in (names if rows else names[:1])}
+
+
+def formed(demands: Iterable[Demand]) -> set[str]:
+    """Return what is asked to stand in a circle or the like."""
+    return {name for one in said(demands) if isinstance(one, InShape) for name in one.asset_names()}
 
 
 def looked_at(demands: Iterable[Demand]) -> dict[str, str]:
@@ -192,7 +198,7 @@ def held_by_walls(demands: Sequence[Demand]) -> set[str]:
 
 
 def needing_room(cast: Mapping[str, Cast], demands: Sequence[Demand]) -> set[str]:
-    """Return what is placed first: what is asked to be in one corner and no other, in one row, or with two others at its sides."""
+    """Return what is placed first: what is asked into one corner and no other, in one row or a circle, or with two others at its sides."""
     only = said(demand for demand in demands if len(demand.ways) == 1)
     between = [demand.exact.asset_names() for demand in demands if demand.exact is not None]
     found = {middle for middle, *ends in between if {cast[end].anchor for end in ends} == {middle}}
@@ -201,7 +207,7 @@ def needing_room(cast: Mapping[str, Cast], demands: Sequence[Demand]) -> set[str
         alone = all(demand.names() <= names for demand in demands if names & demand.names())
         if one.name == "corner":
             found.add(one.asset_names()[0])
-        elif isinstance(one, InRows) and one.rows == 1 and alone:
+        elif isinstance(one, InShape) or (isinstance(one, InRows) and one.rows == 1 and alone):
             found |= names
     return found
 

@@ -46,6 +46,7 @@ class Writer:
     scene: Scene
     cast: Mapping[str, Cast]  # its assets in their roles
     asked: Set[str]  # things of which the user's words say where they stand: roles only wish then
+    formed: Set[str]  # those of them that stand in a circle or the like, each turned otherwise
     first: Set[str]  # those of them that are placed first, before their corner or the wall for all of a row is taken
     walled: Set[str]  # those of them whose wall the words leave to them
     looked: Mapping[str, str]  # what is asked to look at something, and that
@@ -207,7 +208,7 @@ class Writer:
                 return
             if mode == "rug":
                 yield from self._fill(DATA["at"]["rug"].get(self.cast[owner].role.name, ()), values, 1.0)
-        yield from self._fill(item.role.say[mode], values)
+        yield from self._fill(item.role.say[mode], values, SAYING.joined if item.name in self.formed else None)
         if mode == "hang" and item.role.height:
             yield _wish(f"mounted_on({a}, None, {item.role.height:g})")
         if mode == "hang" and over:

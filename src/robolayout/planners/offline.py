@@ -10,6 +10,7 @@ from pathlib import Path
 from robolayout.assets import CATALOGUE
 from robolayout.planners._asked import (
     asked_lines,
+    formed,
     held_by_walls,
     hung_over,
     join_as_asked,
@@ -75,9 +76,8 @@ class OfflinePlanner:
         about = set(request.group.items) if request.group else set(cast)
         words = request.asked
         first, walled = needing_room(cast, words), held_by_walls(words)
-        writer = Writer(
-            scene, cast, subjects(words), first, walled, looked_at(words), open_beside(words), hung_over(scene, words)
-        )
+        turned = looked_at(words), open_beside(words), hung_over(scene, words)
+        writer = Writer(scene, cast, subjects(words), formed(words), first, walled, *turned)
         names = {written: name for name, written in scene.expressions.items()}
         text = ["# Walls: " + "; ".join(_wall(wall, scene.room) for wall in scene.room.walls)]
         asked = asked_lines(scene, request.asked, about | known)

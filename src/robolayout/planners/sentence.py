@@ -17,12 +17,13 @@ import numpy as np
 from robolayout._errors import SceneError
 from robolayout.assets import CATALOGUE, Category
 from robolayout.assets.palette import PALETTES
+from robolayout.constraints.in_shape import shape_slots
 from robolayout.planners._added import COMFORT, LARGER, SEATS, SPARE, Added, both
 from robolayout.planners._knowledge import load_knowledge
 from robolayout.planners._openings import with_openings
 from robolayout.planners._wishes import RoomWishes, head, read_wishes
 from robolayout.scene import FLAT_HEIGHT, Agent, Room, Scene, load_agent, scene_from_dict, variable_name
-from robolayout.words import CROWD, RoomType, dressing, named, place_in, places, visits
+from robolayout.words import CROWD, SHAPES, RoomType, dressing, named, place_in, places, visits
 
 
 @dataclass(frozen=True)
@@ -41,6 +42,10 @@ class Sizes:
     around: float = 0.7
     before: float = 2.0
     """Metres between rows of desks, between other rows, beside and behind a block of rows, and before it."""
+    apart: tuple[float, float] = (
+        0.35,
+        0.85,
+    )  # metres between neighbours in a half circle, and in a circle, which one enters
     walkway: float = 0.6
     seated: float = 1.2
     """Metres by which a room is longer and wider than the longest thing in it, where no size is given; more at ends of tables."""
@@ -136,7 +141,8 @@ def _wished(wishes: RoomWishes) -> dict[str, int]:
     heads |= {"chair"} if SEATS & {*wished} and "table" in heads else set()
     heads |= {"seat"} if heads & (LOUNGE | {"chair"}) else set()
     links = wishes.reading.parsed.links
-    rows = {head(m.thing.noun.kind) for link in links if link.relation == "rows" for m in link.subjects}
+    formed = (link for link in links if link.relation == "rows" or link.relation in SHAPES)
+    rows = {head(m.thing.noun.kind) for link in formed for m in link.subjects}
     if (rows & {"chair", "seat", "pew"} or "seat" in map(head, wished)) and "desk" not in heads:
         heads |= {"desk", "chair"}  # an audience sits before a board, at no desks
     about = (link for link in links if link.relation in ("with", "around"))
@@ -153,7 +159,8 @@ def _wished(wishes: RoomWishes) -> dict[str, int]:
             if wishes.seats and head(name) == "desk":
                 wished[_chair(room)] += count * people  # besides those at the table
     chairs = sum(n for name, n in wished.items() if head(name) == "chair")
-    if room.tables and not any(head(name) == "table" for name in wished if "buffet" not in name):
+    tables = any(head(name) == "table" for name in wished if "buffet" not in name)
+    if room.tables and not tables and not rows & {"chair", "desk"}:
         wished[room.tables] = math.ceil(chairs / room.at_table)
     return dict(wished)
 
@@ -230,6 +237,16 @@ def _blocks(wishes: RoomWishes) -> Iterator[tuple[float, float]]:
             wide = sum(count * width for count, _, width, _ in sizes) + SIZES.around
             tall = max(height for *_, height in sizes) > SIZES.low
             yield wide, wide if tall else 0.0  # tall things need a wall without a window
+        for thing in named(link.subjects) if link.relation in SHAPES else ():
+            kind = wishes.kind(thing)
+            depth, width, _ = wishes.kinds[kind].size
+            apart = SIZES.apart[link.relation == "circle"]
+            slots = shape_slots(SHAPES[link.relation], max(thing.count, 3), depth, width, apart)
+            round_it = max(depth, width) + 2 * SIZES.around + SIZES.walkway * kind.endswith(("desk", "table"))
+            wide, deep = (max(at[k] for at in slots) - min(at[k] for at in slots) + round_it for k in (1, 0))
+            before = any(k.relation in ("facing", "front") and thing in named(k.subjects) for k in links)
+            yield wide, deep + SIZES.before * before
+            yield wide * before, wide * before  # what is before it may be at any wall
         for thing in named(link.subjects) if link.relation == "cleared" else ():
             depth, width, _ = wishes.kinds[wishes.kind(thing)].size
             at = [side for place in places(link.objects) for side in place.words]

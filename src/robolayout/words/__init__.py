@@ -5,7 +5,7 @@ from robolayout.words._lexicon import KIN, Lexicon, dressing, grammar
 from robolayout.words._places import COMPASS, walls_meant
 from robolayout.words._said import Link, Mention, NamedThing, Place, mentions, named, place_in, places, sides
 from robolayout.words._tokens import Measure
-from robolayout.words._ways import CROWD, visits
+from robolayout.words._ways import CROWD, SHAPES, visits
 from robolayout.words.demands import Demand
 from robolayout.words.ledger import AskedRow, Wishes, read_words, share_met
 from robolayout.words.reading import Reading, read_text, sized
@@ -15,6 +15,7 @@ __all__ = [
     "COMPASS",
     "CROWD",
     "KIN",
+    "SHAPES",
     "WATCHING",
     "AskedRow",
     "Demand",

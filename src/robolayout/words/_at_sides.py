@@ -7,11 +7,32 @@ from collections.abc import Iterator, Sequence
 from robolayout.constraints import AssetRef, Relation
 from robolayout.words import _ways as ways_of
 from robolayout.words._places import Asked, AtPlaces
+from robolayout.words._rows import ToldRows
 from robolayout.words.demands import Demand, single, stated
 
 
 class AtSides(AtPlaces):
     """Says what it asks for to be at a side of a thing."""
+
+    opposed: Sequence[tuple[str, str]]
+    """Each two that are asked to face each other."""
+
+    told: ToldRows
+    """What is said of rows and shapes."""
+
+    def _front(self, it: Asked) -> tuple[Demand, ...]:
+        """A shape before something is open to it; two that face each other before a fireplace stand on both sides of its middle."""
+        if {*it.subjects} <= {*self.told.shape}:
+            return tuple(self.told.opening(it.subjects, [AssetRef(b) for b in it.others]))
+        pairs = [two for two in self.opposed if {*two} <= {*it.subjects}]
+        if len(it.others) != 1 or 2 * len(pairs) != len(it.subjects) or not self._is(it.others[0], ways_of.WATCHED):
+            return ()
+        (b,) = map(AssetRef, it.others)
+        return tuple(
+            single(stated(*one))
+            for first, second in (map(AssetRef, two) for two in pairs)
+            for one in (("symmetric_pair", first, second, b), ("near", first, b, ways_of.LOOKING))
+        )
 
     def _oneside(self, it: Asked) -> Iterator[Demand]:
         """At a side of a thing, whichever; seats all at one side of a table, the longer ones first."""

@@ -56,6 +56,8 @@ class Demander(AtSides):
         # metres that things take that stand between others
         amid = [it for link, it in asked if link.relation == "amid"]
         self.between = {b: min(self._asset(a).size[:2]) for it in amid for a in it.subjects for b in it.others}
+        mutual = [it.subjects for link, it in asked if link.relation == "mutual"]
+        self.opposed = [two for names in mutual for two in zip(names[::2], names[1::2], strict=False)]
         self.told = ToldRows(scene, [(link, it.subjects, it.others) for link, it in asked])
 
     def demands(self, link: Link) -> tuple[Demand, ...]:
@@ -107,6 +109,8 @@ class Demander(AtSides):
 
     def _to_another(self, relation: str, it: Asked) -> list[tuple[str, str]]:
         """Return each two of which the second says where the first stands: one thing to several, the middle one of a row."""
+        if relation == "front" and self._front(it):
+            return []
         each = [(it.subjects[0], group[0]) for group in it.groups if group]
         if len(it.subjects) == 1 and len(it.groups) > 1 and each:
             return each
@@ -292,6 +296,9 @@ class Demander(AtSides):
     def _facing(self, it: Asked) -> Iterator[Demand]:
         """Looking at a thing, a door or a window; a desk faces what one sees who sits at it."""
         others, subjects = it.others, it.subjects
+        if {*subjects} <= {*self.told.shape}:
+            yield from self.told.opening(subjects, [AssetRef(b) for b in others] or self._points(it.place))
+            return
         if one := self._of_rows(it):  # the others look as it does
             yield Demand((tuple(stated("align_with", AssetRef(a), AssetRef(*one)) for a in subjects if a not in one),))
             subjects = one
@@ -352,6 +359,12 @@ class Demander(AtSides):
         yield from [self.told.block(it.subjects)] if alike(self.scene, it.subjects) else self._huddle(it)
 
     _columns = _rows
+
+    def _circle(self, it: Asked) -> Iterator[Demand]:
+        """At least three like things stand in a circle, a half circle or a U; others near each other."""
+        yield from [self.told.block(it.subjects)] if {*it.subjects} <= {*self.told.shape} else self._huddle(it)
+
+    _halfcircle = _ushape = _circle
 
     def _groups(self, it: Asked) -> Iterator[Demand]:
         """Some here, some there: desks with their backs to each other, others near each other."""
@@ -431,19 +444,6 @@ class Demander(AtSides):
             return ways_of.BESIDE if self._asset(end.name).size[1] < self._asset(a).size[1] else ways_of.AHEAD
         return ways_of.AHEAD
 
-    def _corner(self, it: Asked) -> Iterator[Demand]:
-        yield from self._at_place(it.subjects, Place("corner"))
-
-    def _middle(self, it: Asked) -> Iterator[Demand]:
-        if it.place is not None and it.place.name == "wall":
-            yield from self._at_place(it.subjects, replace(it.place, words=(*it.place.words, "middle")))
-        elif not it.others:
-            yield from self._at_place(it.subjects, Place("middle"), share=len(it.subjects) > 1)
-
     def _middle_each(self, a: str, b: str) -> Demand:
         on = self._asset(a).on_object or self._asset(b).is_flat
         return self._on_each(a, b) if on else single(stated("near", AssetRef(a), AssetRef(b), ways_of.BESIDE))
-
-    def _atwalls(self, it: Asked) -> Iterator[Demand]:
-        if it.place is not None:
-            yield Demand(tuple(self._at_walls(it.subjects, it.others, it.place, on=True)))

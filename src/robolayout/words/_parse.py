@@ -172,12 +172,19 @@ class Parser(Relating):
             self.subject, self.verb = [m for m in self.recent if m.several][-1:] or self.recent[-2:], True
             return
         room = chunk.value == "it" and self.before[:1] and self.before[0].det in ("both", "all")
-        one = len(self.before) == 1 and not self.before[0].several and not self.group
-        if one and chunk.value in (*small.EVERY, "they") and chunk.value != "both":
-            many = [m for m in self.spoken if m.several]  # "a bed flanked by nightstands; each of them ..."
-            self.before = many[-1:] or self.before
-        several_meant = chunk.value in small.SEVERAL and (not self.group or self._previous(chunk) in ("and", ","))
-        if several_meant and (self.before or len([*self.recent, *self.targets]) > 1):  # "..., and both of them face it"
+        begins = not self.group or self._previous(chunk) in ("and", ",")
+        several_meant, each = chunk.value in small.SEVERAL and begins, chunk.value == "each" and begins
+        last, every = self.group or self.before, begins and chunk.value in (*small.EVERY, "they")
+        many = [m for m in (*self.spoken, *self.recent, *self.targets) if m.several]
+        if many and len(last) == 1 and not last[0].several and every and chunk.value != "both":
+            self.subject = self.group = many[-1:]  # "two beds parted by a curtain, each with a lamp"
+        elif each and self.group and self.group[-1].several and self._ahead().kind in ("with", "rel"):
+            # "a teacher's desk and three tables, each with four chairs"
+            self.subject = self.group = [m for m in self.group if m.several]
+            self.holder, self.having = [], False
+        elif several_meant and (
+            self.before or len([*self.recent, *self.targets]) > 1
+        ):  # "..., and both of them face it"
             self.subject = self.group = self._several_meant("", self.recent, self.targets)
         elif self.before and not self.group and not room:
             self.subject, self.group = list(self.before), list(self.before)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import operator
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import combinations, product
 
 from robolayout.constraints import AssetRef, PointRef, WallRef
@@ -422,3 +422,16 @@ class AtPlaces:
         strips = ((x0, y0, x - half, y1), (x + half, y0, x1, y1), (x0, y0, x1, y - half), (x0, y + half, x1, y1))
         for a in it.subjects:
             yield single(*(stated("zone", AssetRef(a), rectangle(*strip)) for strip in strips))
+
+    def _corner(self, it: Asked) -> Iterator[Demand]:
+        yield from self._at_place(it.subjects, Place("corner"))
+
+    def _middle(self, it: Asked) -> Iterator[Demand]:
+        if it.place is not None and it.place.name == "wall":
+            yield from self._at_place(it.subjects, replace(it.place, words=(*it.place.words, "middle")))
+        elif not it.others:
+            yield from self._at_place(it.subjects, Place("middle"), share=len(it.subjects) > 1)
+
+    def _atwalls(self, it: Asked) -> Iterator[Demand]:
+        if it.place is not None:
+            yield Demand(tuple(self._at_walls(it.subjects, it.others, it.place, on=True)))

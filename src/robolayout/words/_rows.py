@@ -1,4 +1,4 @@
-"""Straight rows of like things: how many lines are meant, and the statement that says it."""
+"""Straight rows, circles and the like of like things: how many lines are meant, and the statement that says it."""
 
 from __future__ import annotations
 
@@ -8,9 +8,10 @@ from itertools import pairwise
 
 from robolayout.constraints import AssetRef, PointRef, WallRef
 from robolayout.constraints.in_rows import InRows
-from robolayout.scene import Room, Scene
+from robolayout.constraints.in_shape import InShape
+from robolayout.scene import Asset, Room, Scene
 from robolayout.words._said import Link
-from robolayout.words._ways import AISLE, AT_SIDES, BACK, BESIDE, NEAR
+from robolayout.words._ways import ACROSS, AISLE, AT_SIDES, BACK, BESIDE, NEAR, SHAPES
 from robolayout.words.demands import Demand, single, stated
 
 End = AssetRef | PointRef
@@ -21,6 +22,11 @@ def alike(scene: Scene, names: Sequence[str]) -> bool:
     """Return whether several things of one size stand on the floor."""
     things = [scene.by_name[name] for name in names]
     return len(things) > 1 and len({thing.size for thing in things}) == 1 and things[0].on_floor
+
+
+def at_work(asset: Asset) -> bool:
+    """Return whether one sits at a thing's front and looks over it."""
+    return asset.category.endswith(("desk", "table"))
 
 
 def lines(scene: Scene, link: Link, names: Sequence[str]) -> int | None:
@@ -35,7 +41,7 @@ def lines(scene: Scene, link: Link, names: Sequence[str]) -> int | None:
 
 
 class ToldRows:
-    """What is said of straight rows: how wide they are, how they are turned to each other, and what stands between them."""
+    """What is said of straight rows and shapes: how wide they are, how they are turned to each other, and what stands between them."""
 
     def __init__(self, scene: Scene, links: Sequence[tuple[Link, Sequence[str], Sequence[str]]]) -> None:
         self.scene = scene
@@ -68,9 +74,19 @@ class ToldRows:
         self.gap = {name: link.metres[0] for link, named, _ in told for name in named}
         self.count = {name: lines(scene, link, named) for link, named, _ in told for name in named}
         self.abreast = {name: math.ceil(len(named) / (self.count[name] or 1)) for _, named, _ in told for name in named}
+        formed = ((link.relation, named) for link, named, _ in links if link.relation in SHAPES)
+        self.shape = {
+            name: InShape(
+                tuple(map(AssetRef, named)), SHAPES[relation], "out" if at_work(scene.by_name[name]) else "in"
+            )
+            for relation, named in formed
+            if len(named) > 2 and alike(scene, named)
+            for name in named
+        }
+        self.abreast |= {name: len(shape.items) for name, shape in self.shape.items()}
 
     def in_rows(self, names: Sequence[str]) -> bool:
-        """Return whether all of some things stand in straight rows."""
+        """Return whether all of some things stand in straight rows, or in a shape."""
         return {*names} <= {*self.abreast}
 
     def groups(self, names: Sequence[str]) -> list[Sequence[str]]:
@@ -79,10 +95,25 @@ class ToldRows:
         return [names[i : i + count] for i in range(0, len(names), count)]
 
     def block(self, names: Sequence[str]) -> Demand:
-        """Return that such things stand in their rows."""
+        """Return that such things stand in their rows, or in their shape."""
+        if names[0] in self.shape:
+            return single(self.shape[names[0]])
         turned, amid = self.turned.get(names[0], "alike"), names[0] in self.flanked
         gap, aisle = self.gap.get(names[0], 0.0), self.aisle.get(names[0], 0.0)
         return in_rows(names, self.count.get(names[0]), turned, amid=amid, gap=gap, aisle=aisle)
+
+    def opening(self, names: Sequence[str], to: Sequence[End]) -> Iterator[Demand]:
+        """Yield that a shape is open to something that it stands before; a circle has it in its middle."""
+        shape = self.shape[names[0]]
+        for b in to:
+            if isinstance(b, PointRef):
+                yield self.block(names) if shape.shape == "circle" else single(stated("point_towards", shape.head, b))
+            elif shape.shape == "circle":
+                yield from (single(stated("point_towards", item, b)) for item in shape.items)
+            else:
+                turn = math.degrees(shape.slots(self.scene)[len(names) // 2].yaw) + 180.0
+                before = stated("in_front_of", shape.head, b, 0.0, ACROSS)
+                yield Demand(((stated("align_with", shape.head, b, round(turn % 360.0, 3)), before),))
 
 
 def in_rows(

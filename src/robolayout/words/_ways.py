@@ -134,6 +134,9 @@ TO_ANOTHER: Mapping[str, Ways] = {
 AT_PLACES = frozenset((*TO_ANOTHER, "oneside", "on", "in", "flank", "under", "above", "behind", "hanging"))
 """Relations that lead to a place of the room as well as to things."""
 
+SHAPES = {"circle": "circle", "halfcircle": "half circle", "ushape": "u"}
+"""Shapes in which several things stand, by relation."""
+
 OFF_A_WALL = (0.3, math.inf)
 """Metres between things and a wall that stays free, least and most."""
 

@@ -13,7 +13,7 @@ from robolayout.solve.build.cluster import Cluster
 from robolayout.solve.build.grid import grid_batches, in_one_row, last_cell, put_grid
 from robolayout.solve.build.member import GridPlan, Member
 from robolayout.solve.build.overhead import hang, lay_on, overhead
-from robolayout.solve.build.places import Places, batches
+from robolayout.solve.build.places import Places, batches, close
 from robolayout.solve.build.rugs import lay_rugs
 from robolayout.solve.build.said import MISSED
 from robolayout.solve.build.site import Site
@@ -30,6 +30,7 @@ class Costs:
     cut_off: float = 40.0  # cost of all of the free floor being out of the agent's way
     inexact: float = 30.0  # cost of a place where something touches, by the exact check
     shut: float = 18.0  # cost of a place where a door or drawer does not open
+    spread: int = 12  # places of a circle that are tried, all over the room
     checked: int = 300  # best places that are checked exactly before one is taken
     trials: int = 8  # places for which it is found out what they cut off
     close: float = 0.3
@@ -78,12 +79,6 @@ def _put(site: Site, batch: Places, row: int) -> None:
     wall = int(batch.walls[row])
     site.put(batch.cluster, batch.poses[row], batch.mode, wall if wall >= 0 else None)
     keep_sight(site, batch.cluster.anchor)
-
-
-def _close(batch: Places, row: int, other: Places, at: int, limit: float) -> bool:
-    """Whether two places are less than so many metres apart and face the same way."""
-    step = np.abs(batch.poses[row] - other.poses[at])
-    return batch.cluster == other.cluster and bool(step[:2].max() < limit and step[2] < 0.1)
 
 
 @dataclass(frozen=True, eq=False)
@@ -221,7 +216,7 @@ class BuildPass:
         if not clusters:
             return
         weights, modes = self._weights(items[0].weights), self._modes(items[0])
-        if items[0].rows is not None:
+        if items[0].rows is not None or items[0].shape is not None:
             clusters = self._in_rows(clusters, modes, weights)
         for cluster in clusters:
             own = self._modes(self.site.wants[cluster.anchor])
@@ -251,7 +246,7 @@ class BuildPass:
     def _in_rows(self, clusters: Sequence[Cluster], modes: Modes, weights: Mapping[str, float]) -> list[Cluster]:
         """Place what fits well along the walls, put the rest into a grid, and return what fits nowhere."""
         left, least = list(clusters), 2
-        if self.site.wants[clusters[0].anchor].in_told_rows:
+        if self.site.wants[clusters[0].anchor].block:
             out = uncommon(self.site, clusters)
             own = [self._without_own(cluster, out) for cluster in clusters]
             row = in_one_row(self.site, own)
@@ -316,7 +311,7 @@ class BuildPass:
             if best is not None and cost > best[0]:
                 break
             apart = COSTS.close + COSTS.widen * len(rejected)
-            if any(_close(batch, row, other, at, apart) for _, other, at in rejected):
+            if any(close(batch, row, other, at, apart) for _, other, at in rejected):
                 continue
             fault = self.site.fault(batch.cluster, batch.poses[row])
             harm = COSTS.inexact if fault == "touches" else COSTS.shut
@@ -396,7 +391,7 @@ class BuildPass:
         few: list[GridChoice] = []
         more: list[GridChoice] = []
         missed = math.inf  # the least that a place misses of what is said
-        told = self.site.wants[clusters[0].anchor].in_told_rows
+        told = bool(self.site.wants[clusters[0].anchor].block)
         for plan, batch in grid_batches(self.site, clusters):
             clash = self.site.clash(batch.cluster, batch.poses, limit=1.0)
             free = clash <= 1.0
@@ -412,11 +407,16 @@ class BuildPass:
             cost += unmet + COSTS.tight * plan.tight + COSTS.ragged * (plan.rows * plan.columns - len(plan.names))
             cost += 0.3 * abs(plan.rows - plan.columns) ** 0.5
             rows = np.argsort(cost, kind="stable")
-            few += [(float(cost[row]), plan, batch, int(row)) for row in rows[:4]]
+            tried = rows[:4]
+            if plan.cells:
+                as_good = rows[cost[rows] < cost[rows[0]] + MISSED]
+                tried = as_good[:: math.ceil(len(as_good) / COSTS.spread)]
+            few += [(float(cost[row]), plan, batch, int(row)) for row in tried]
             across = np.abs(np.sin(batch.poses[rows, 2])) > math.sqrt(0.5)
             turned = rows[across != across[0]][: told * COSTS.checked]  # the other way may leave a way past it
             more += [(float(cost[row]), plan, batch, int(row)) for row in turned]
         limit = COSTS.hopeless + (missed if told else 0.0)  # what no place meets of a block speaks against none
+        limit = math.inf if self.site.wants[clusters[0].anchor].shape else limit
         best = self._best_grid(clusters, few, limit)
         if best is None and more:
             best = self._best_grid(clusters, more, limit)

@@ -9,6 +9,7 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
+from robolayout.constraints.in_shape import SHAPES, InShape
 from robolayout.solve.build.cluster import Cluster
 from robolayout.solve.build.member import GridPlan, Member, Rect, box_of
 from robolayout.solve.build.places import Places, room_yaws, targets
@@ -17,14 +18,21 @@ from robolayout.solve.build.site import Site
 BACKS = 0.03
 """Metres between rows that stand back to back."""
 
+ENTERED = 0.35
+WIDER = 0.15
+"""Metres between seats of a circle that one squeezes through, and by which what turns to its middle leaves more than a corridor."""
+
 TIGHTEST = 0.5
 """Metres between things in a row up to which these may stand closer where there is no room for it."""
 
 
 def grid_batches(site: Site, clusters: Sequence[Cluster]) -> Iterator[tuple[GridPlan, Places]]:
     """Yield every arrangement of equal clusters in a grid, with the places for its middle."""
-    rows = site.wants[clusters[0].anchor].rows
-    if rows is None:
+    want = site.wants[clusters[0].anchor]
+    rows = want.rows
+    if want.shape is not None:
+        yield from _shaped(site, clusters, want.shape)
+    if rows is None or want.shape is not None:
         return
     extent = _extent(site, clusters[0])
     size = site.size(clusters[0].anchor)
@@ -44,15 +52,38 @@ def grid_batches(site: Site, clusters: Sequence[Cluster]) -> Iterator[tuple[Grid
             gap = round(between[1] + gap0 * (closer if gap0 > 0.3 else 1.0), 2)
             plan = GridPlan(names, count, columns, aisle, gap, rows.backs, closer < 1.0)
             cluster = _cluster(clusters, plan, size)
-            poses = _poses(site, cluster)
+            poses = _poses(site, cluster, _yaws(site, cluster))
             if len(poses):
                 yield plan, Places("grid", cluster, poses, np.full(len(poses), -1))
+
+
+def _shaped(site: Site, clusters: Sequence[Cluster], shape: InShape) -> Iterator[tuple[GridPlan, Places]]:
+    """Yield a circle, half circle or U of all of its things, open to each side of the room."""
+    names = tuple(cluster.anchor for cluster in clusters)
+    wide = {"circle": (site.corridor + WIDER, ENTERED), "half circle": (ENTERED,)}.get(shape.shape, ())
+    for gap in (*wide, *SHAPES.gap[:1]) if {*names} == {*shape.asset_names()} else ():
+        plan = shaped_plan(site, names, shape, gap)
+        tight = replace(plan, tight=bool(wide) and gap == SHAPES.gap[0])
+        cluster = _cluster(clusters, plan, site.size(names[0]))
+        turn = dict(zip(shape.asset_names(), shape.slots(site.scene, gap), strict=True))[names[0]].yaw
+        poses = _poses(site, cluster, [yaw + turn for yaw in room_yaws(site)])
+        if len(poses):
+            yield tight, Places("grid", cluster, poses, np.full(len(poses), -1))
+
+
+def shaped_plan(site: Site, names: tuple[str, ...], shape: InShape, gap: float) -> GridPlan:
+    """Return how all of a circle, half circle or U stand, seen from the first of some names, so many metres apart."""
+    there = dict(zip(shape.asset_names(), shape.slots(site.scene, gap), strict=True))
+    first = there[names[0]]
+    cells = tuple((*first.seen(there[name].at), there[name].yaw - first.yaw) for name in names)
+    return GridPlan(names, 1, len(names), 0.0, 0.0, cells=cells)
 
 
 def in_one_row(site: Site, clusters: Sequence[Cluster]) -> Cluster | None:
     """Return the clusters of a row that is told as one, None where more rows are told or one of it belongs elsewhere."""
     rows = site.wants[clusters[0].anchor].rows
-    if rows is None or rows.rows != 1 or any(site.wants[one.name].anchor is not None for one in rows.items):
+    shaped = site.wants[clusters[0].anchor].shape is not None
+    if shaped or rows is None or rows.rows != 1 or any(site.wants[one.name].anchor is not None for one in rows.items):
         return None
     extent, size = _extent(site, clusters[0]), site.size(clusters[0].anchor)
     gap = round(extent[3] - extent[1] - size[1] + rows.gap, 2)
@@ -79,6 +110,8 @@ def _cluster(clusters: Sequence[Cluster], plan: GridPlan, size: tuple[float, flo
 
 def cell_poses(plan: GridPlan, size: tuple[float, float, float]) -> list[tuple[float, float, float]]:
     """Return the place of each anchor in the frame of the first: rows behind it, or before it where they face each other."""
+    if plan.cells:
+        return [*plan.cells]
     found: list[tuple[float, float, float]] = []
     x, ahead = 0.0, 1.0 if plan.backs == "facing" else -1.0
     for row in range(plan.rows):
@@ -106,19 +139,16 @@ def put_grid(site: Site, clusters: Sequence[Cluster], plan: GridPlan, frame: NDA
         site.put(cluster, np.array([pose.x, pose.y, pose.yaw]), "grid")
 
 
-def _poses(site: Site, cluster: Cluster) -> NDArray[np.float64]:
+def _poses(site: Site, cluster: Cluster, yaws: Sequence[float]) -> NDArray[np.float64]:
     """Return places (n, 3) of the first anchor such that the whole block lies within the room's bounds."""
-    box = _extent(site, cluster)
-    middle = ((box[0] + box[2]) / 2, (box[1] + box[3]) / 2)
     left, bottom, right, top = site.room.bounds
     found: list[tuple[float, float, float]] = []
-    for yaw in _yaws(site, cluster):
-        c, s = math.cos(yaw), math.sin(yaw)
-        hx = (abs(c) * (box[2] - box[0]) + abs(s) * (box[3] - box[1])) / 2
-        hy = (abs(s) * (box[2] - box[0]) + abs(c) * (box[3] - box[1])) / 2
-        for x in _steps(left + hx, right - hx, site.corridor):
-            for y in _steps(bottom + hy, top - hy, site.corridor):
-                found.append((x - c * middle[0] + s * middle[1], y - s * middle[0] - c * middle[1], yaw))
+    for yaw in yaws:
+        turned = replace(cluster, members=tuple(member.moved(0.0, 0.0, yaw) for member in cluster.members))
+        x0, y0, x1, y1 = _extent(site, turned)
+        for x in _steps(left + (x1 - x0) / 2, right - (x1 - x0) / 2, site.corridor):
+            for y in _steps(bottom + (y1 - y0) / 2, top - (y1 - y0) / 2, site.corridor):
+                found.append((x - (x0 + x1) / 2, y - (y0 + y1) / 2, yaw))
     return np.array(found).reshape(-1, 3)
 
 

@@ -54,6 +54,12 @@ def batches(site: Site, cluster: Cluster, modes: Iterable[str]) -> list[Places]:
     return found
 
 
+def close(batch: Places, row: int, other: Places, at: int, limit: float) -> bool:
+    """Whether two places are less than so many metres apart and face the same way."""
+    step = np.abs(batch.poses[row] - other.poses[at])
+    return batch.cluster == other.cluster and bool(step[:2].max() < limit and step[2] < 0.1)
+
+
 Found = tuple[Sequence[tuple[float, float, float]] | Poses, Sequence[int] | int]
 """Places, and the index of the wall of each; -1 where they are at none."""
 

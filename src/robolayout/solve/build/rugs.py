@@ -11,7 +11,7 @@ import shapely
 
 from robolayout.floor import rect_points
 from robolayout.solve.build.form import corners_of
-from robolayout.solve.build.grid import cell_poses
+from robolayout.solve.build.grid import cell_poses, shaped_plan
 from robolayout.solve.build.member import GridPlan, Member, Poses
 from robolayout.solve.build.places import room_yaws
 from robolayout.solve.build.site import Site, Spot
@@ -79,6 +79,9 @@ def _lay_free(site: Site, names: Sequence[str]) -> None:
     asked = site.wants[names[0]].rows
     rows = [k for k in range(1, count + 1) if count % k == 0 and (asked is None or asked.rows in (None, k))] or [count]
     plans = [GridPlan(tuple(names), k, count // k, LAYING.between, LAYING.between) for k in rows]
+    shape = site.wants[names[0]].shape
+    if shape is not None and {*shape.asset_names()} == {*names}:
+        plans = [shaped_plan(site, tuple(names), shape, LAYING.between)]
     (_, pose), plan = min(((_free_floor(site, plan), plan) for plan in plans), key=lambda entry: entry[0][0])
     cells = [Member(n, *c).moved(*pose) for n, c in zip(names, cell_poses(plan, site.size(names[0])), strict=True)]
     covered = _covered(site, site.size(names[0]), np.array([_pose(cell) for cell in cells]))

@@ -11,8 +11,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from robolayout._geometry import Body, FrameRow, frame_residual
-from robolayout.constraints import AssetRef, FrameTerm, PointRef, Relation, WallRef, Way
+from robolayout._geometry import Body, FrameRow, frame_residual, mirror_residual
+from robolayout.constraints import AssetRef, FrameTerm, MirrorTerm, PointRef, Relation, WallRef, Way
 from robolayout.constraints.against_wall import AgainstWall
 from robolayout.constraints.align_with import AlignWith
 from robolayout.constraints.mounted_on import MountedOn
@@ -77,13 +77,17 @@ class Said:
             best = np.full(len(poses), np.inf)
             for way in one.ways:
                 known = [part for part in way if there.issuperset(part.asset_names())]
-                rows = [term for part in known for term in part.terms(self.scene, now) if isinstance(term, FrameTerm)]
+                rows = [term for part in known for term in part.terms(self.scene, now)]
+                rows = [term for term in rows if isinstance(term, FrameTerm | MirrorTerm)]
                 best = np.minimum(best, sum((self._missed(row, moving, placed) for row in rows), np.zeros(len(poses))))
             total += MISSED * (best > SLACK) + PER_METRE * np.minimum(best, FARTHEST)
         return total
 
-    def _missed(self, term: FrameTerm, moving: Mapping[str, Poses], placed: Mapping[str, Member]) -> Poses:
+    def _missed(self, term: FrameTerm | MirrorTerm, moving: Mapping[str, Poses], placed: Mapping[str, Member]) -> Poses:
         """Return the residual (n,) of a row."""
+        if isinstance(term, MirrorTerm):
+            a, b, axis = (self._body(ref, moving, placed) for ref in (term.a, term.b, term.ref))
+            return mirror_residual(a, b, axis, np.array([float(isinstance(term.ref, WallRef))]))
         row = FrameRow(*np.array(term.row()))
         return frame_residual(self._body(term.a, moving, placed), self._body(term.b, moving, placed), row)
 

@@ -25,7 +25,7 @@ def alike(site: Site, clusters: Sequence[Cluster]) -> list[list[Cluster]]:
         key = tuple(
             (site.wants[m.name].kind, *(round(v, 1) for v in site.size(m.name)[:2]))
             for m in cluster.members
-            if site.on_floor(m) and (m.name == cluster.anchor or not site.wants[cluster.anchor].in_told_rows)
+            if site.on_floor(m) and (m.name == cluster.anchor or not site.wants[cluster.anchor].block)
         )
         sets.setdefault(key, []).append(cluster)
     return [sorted(found, key=lambda one: -len(one.members)) for found in sets.values()]

@@ -27,6 +27,7 @@ from robolayout.constraints.distance_constraint import DistanceConstraint
 from robolayout.constraints.grouped import Grouped
 from robolayout.constraints.in_front_of import InFrontOf
 from robolayout.constraints.in_rows import InRows
+from robolayout.constraints.in_shape import InShape
 from robolayout.constraints.keep_clear import KeepClear
 from robolayout.constraints.left_of import LeftOf
 from robolayout.constraints.mounted_on import MountedOn
@@ -116,6 +117,7 @@ class Want:
     join: Joining | None = None  # how it stands there
     loose: bool = False  # whether it may stand by itself if there is no room there
     rows: InRows | None = None  # what it should stand in a block with, if anything
+    shape: InShape | None = None  # with what it should stand in a circle or the like
 
     @property
     def name(self) -> str:
@@ -135,9 +137,10 @@ class Want:
         return (*(self.face.names if self.face else ()), *self.at) if self.standing else ()
 
     @property
-    def in_told_rows(self) -> bool:
-        """Whether it is demanded in how many rows such things stand."""
-        return self.rows is not None and self.rows.rows is not None
+    def block(self) -> tuple[str, ...]:
+        """With what it is demanded to stand in so many rows, or in a circle or the like."""
+        told = self.shape or (self.rows if self.rows is not None and self.rows.rows is not None else None)
+        return told.asset_names() if told is not None else ()
 
     @property
     def hung(self) -> bool:
@@ -184,8 +187,7 @@ def _seen_first(wants: dict[str, Want]) -> dict[str, Want]:
     turns = {name: float(want.turn) for name, want in wants.items()}
     for want in wants.values():
         for name in (name for name in want.minds if name in wants and wants[name].hung):
-            block = want.rows.asset_names() if want.in_told_rows and want.rows else (want.name,)
-            turns[name] = min(turns[name], min(wants[one].turn for one in block) - 0.5)
+            turns[name] = min(turns[name], min(wants[one].turn for one in want.block or (want.name,)) - 0.5)
     return dict(sorted(wants.items(), key=lambda item: turns[item[0]]))
 
 
@@ -229,7 +231,8 @@ def _subjects(relation: Relation) -> tuple[str, ...]:
 def _kind(asset: Asset, said: Sequence[Statement]) -> str:
     """Return what is said of a thing but for whom it is about; what it is where nothing is said; its block where one is demanded."""
     for one in said:
-        if isinstance(one.relation, InRows) and one.wish is None and one.relation.rows is not None:
+        rows = isinstance(one.relation, InRows) and one.wish is None and one.relation.rows is not None
+        if rows or isinstance(one.relation, InShape):
             return " ".join(one.relation.asset_names())
     alone = [one for one in said if not isinstance(one.relation, SymmetricPair)]
     parts = [f"{one.relation.name} {_plain(one.relation)} {one.wish}" for one in alone]
@@ -268,12 +271,10 @@ class _Gathered:
     def want(self) -> Want:
         """Return the thing with all of it."""
         anchor, join, demanded = self._join()
-        rows = self._rows()
-        if rows is not None and rows.rows is not None and anchor in rows.asset_names():
+        bare = replace(self.bare, rows=self._rows(), shape=next((one for one, _ in self._all(InShape)), None))
+        if anchor in bare.block:
             anchor, join = None, None  # its place is in the block
-        face = self._face(anchor)
-        stands = self._stands(face)
-        weights: dict[str, float] = {}
+        face, weights = self._face(anchor), dict[str, float]()
         for one in self.said:
             word = one.relation.name
             if one.wish is not None and word in ("mid_wall", "corner", "at_window", "by_door", "snug"):
@@ -281,8 +282,8 @@ class _Gathered:
             elif one.wish is not None and isinstance(one.relation, CenteredOn) and one.relation.b is None:
                 weights["middle"] = one.wish
         return replace(
-            self.bare,
-            stands=stands,
+            bare,
+            stands=self._stands(face),
             weights=weights,
             walls={ref.index: weight for ref, weight in self._walls()},
             near=tuple((names, w) for one, w in self._wished(Grouped) if (names := one.asset_names()[1:])),
@@ -294,7 +295,6 @@ class _Gathered:
             anchor=anchor,
             join=join,
             loose=join is not None and (not demanded or bool(self._modes())),
-            rows=rows,
         )
 
     def _rows(self) -> InRows | None:
@@ -304,7 +304,7 @@ class _Gathered:
         told = (one.backs for one, wish in reversed(found) if wish is None or not looks)  # else all look one way
         spaced = any(wish is None and one.backs == "alike" and one.aisle > 0 for one, wish in found)
         turned = "alike" if spaced else next((backs for backs in told if backs != "alike"), "alike")
-        said = [one for one, _ in found if one.items == found[-1][0].items]  # groups stand closer than all of them
+        said = [one for one, _ in found if one.items == found[-1][0].items]  # groups stand closer
         aisle, gap = (max((getattr(one, name) for one in said), default=0.0) for name in ("aisle", "gap"))
         return replace(said[0], aisle=aisle, gap=gap, rows=said[-1].rows, backs=turned) if said else None
 
