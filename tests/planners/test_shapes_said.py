@@ -7,6 +7,7 @@ import math
 import pytest
 from said_rooms import made, of
 
+import robolayout as rl
 from robolayout.run.result import Result
 
 
@@ -115,3 +116,33 @@ def test_shelves_above_machines_keep_both_of_these_from_the_window() -> None:
         "a laundry room with a washer and dryer side by side, a laundry sink, an ironing board and shelves above the machines"
     )
     assert result.report.ok
+
+
+@pytest.mark.parametrize(
+    ("text", "rows"),
+    [
+        ("a plant far from the window and the door", {"plant far from window and door"}),
+        ("a crib away from the door and the radiator", {"crib away from door and radiator"}),
+        ("a bed far from the door, the window and the radiator", {"bed far from door and window and radiator"}),
+        ("a bed separated from the sofa by a bookshelf", {"bookshelf separated from bed and sofa"}),
+    ],
+)
+def test_everything_that_a_relation_leads_to_is_asked(text: str, rows: set[str]) -> None:
+    result = made(text)
+    asked = {row.words: row.verdict for row in result.report.asked if row.kind == "relation"}
+    assert asked == dict.fromkeys(rows, "met")
+
+
+@pytest.mark.parametrize(
+    ("text", "body"),
+    [
+        ("a bathroom accessible by wheelchair", "wheelchair"),
+        ("a bedroom where a wheelchair can turn in front of the wardrobe", "wheelchair"),
+        ("a living room for somebody with a walker", "elder_walker"),
+        ("a bedroom with a bed and a wheelchair next to it", None),
+    ],
+)
+def test_a_wheelchair_that_somebody_moves_with_is_no_thing(text: str, body: str | None) -> None:
+    scene, understood = rl.scene_from_sentence(text)
+    assert understood.agent == body
+    assert any(asset.category in ("wheelchair", "walker") for asset in scene.assets) is (body is None)

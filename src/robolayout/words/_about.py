@@ -47,7 +47,7 @@ class About(References):
             two = chunk.value in ("amid", "between", "separates") and len(found) < 2
             many = item.several if isinstance(item, Mention) else item.plural
             wants = two and (self._ahead().value == "from" or not (many or pronoun))
-            both = chunk.value in ("amid", "facing", "under", "around", "near", "next", "on", "seen")
+            both = chunk.value in ("amid", "by", "facing", "far", "under", "around", "near", "next", "on", "seen")
             both = both or (isinstance(item, Mention) and item.det == "both")
             if not (wants or (both and self._plain_pair(found, chunk))):
                 break
@@ -56,19 +56,6 @@ class About(References):
             found[-1] = self._which_wall(wall)
         self.target = found[-1] if found and isinstance(found[-1], Mention) else None
         return found
-
-    def _plain_pair(self, found: Sequence[Item], chunk: Chunk) -> bool:
-        """Return whether "and the ..." goes on with the same relation."""
-        following = self.chunks[self.at : self.at + 3]
-        kinds = [chunk.kind for chunk in following]
-        if kinds[:1] != ["and"] or kinds[1:2] not in (["thing"], ["part"]):
-            return False
-        other, bare = following[1], ("", None, False)  # "the sofa and coffee table"
-        if other.det != "the" and (other.det, other.number, other.plural) != bare:
-            return False
-        third = following[2].kind if len(following) > 2 else "stop"
-        ends = ("stop", "comma", "with", *(["verb"] if chunk.value == "amid" and len(found) < 2 else []))
-        return third in ends and isinstance(found[-1], Mention)
 
     def _object(self, chunk: Chunk) -> Item | None:
         """Return the thing or place at the head of what follows, and go past it."""
@@ -153,6 +140,20 @@ class About(References):
                 if (chunk.value, following[1].value) == ("middle", "wall"):  # "against the center of the far wall"
                     return replace(place_of(following[1]), words=(*following[1].adjectives, "middle"))
         return place_of(chunk)
+
+    def _parted_from(self, chunk: Chunk) -> bool:
+        """Read what stands between two things: "the bed is separated from the desk by a bookshelf"; else they are far apart."""
+        if chunk.value != "partedfrom":
+            return False
+        ends = [*self._subjects(chunk.value), *self._objects(chunk)]
+        if self._ahead().value in ("by", "with") or self._ahead().kind == "with":
+            self._understood(self._ahead())
+            self.at += 1
+            parting = mentions(self._objects(chunk))
+            self.said.links.append(Link("amid", tuple(parting), tuple(ends), chunk.start, chunk.end))
+        else:
+            self._link(replace(chunk, value="far"), mentions(ends[:1]), ends[1:])
+        return True
 
     def _which_wall(self, wall: Place) -> Place:
         """Return a wall or corner with the door or window that tells it from the others."""

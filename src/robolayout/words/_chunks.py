@@ -253,6 +253,7 @@ class Chunker(ClosedWords):
             stops = stops or (word in small.JOINING and not both)  # "the left and right walls"
             of_it = bool(run) and self.lexicon.noun([run[-1], *self.words[i : i + 2]]) is not None  # "chest of drawers"
             stops = stops or (word in (*small.BREAKING, *small.SELLING) and not of_it)
+            stops = stops or (word in small.REACHED and {"by", *small.USING} & {*self.words[i + 1 : i + 2]})
             counts = count_of(word) is not None and word != "couple" and not self._seats(i)
             named = not run and self.lexicon.noun(self.words[i : i + 3]) is not None  # "first aid kit"
             if stops or counts or (word in small.DETERMINERS and not named) or self._closed(i, run, many):

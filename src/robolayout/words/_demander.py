@@ -105,7 +105,8 @@ class Demander(AtSides):
         on, share = relation in ("on", "wall", "hanging"), len(it.subjects) > 1 and relation != "flank"
         share = share or not self.manned.isdisjoint(it.subjects)  # somebody sits between
         under = relation == "under" and it.place.name == "window"
-        yield from self._at_place(it.subjects, it.place, on=on, share=share, under=under)
+        for place in it.places if relation in ("near", "next", "by") else [it.place]:
+            yield from self._at_place(it.subjects, place, on=on, share=share, under=under)
 
     def _to_another(self, relation: str, it: Asked) -> list[tuple[str, str]]:
         """Return each two of which the second says where the first stands: one thing to several, the middle one of a row."""
@@ -167,8 +168,8 @@ class Demander(AtSides):
     def _far(self, it: Asked) -> Iterator[Demand]:
         x0, y0, x1, y1 = self.room.bounds
         least = round(max(ways_of.LEAST_FAR, ways_of.FAR_SHARE * max(x1 - x0, y1 - y0)), 2)
-        to = [(a, point) for a in it.subjects for point in self._points(it.place)]
-        for a, b in (*to, *((a, AssetRef(b)) for a, b in it.twos)):
+        to = [(a, point) for a in it.subjects for place in it.places for point in self._points(place)]
+        for a, b in (*to, *((a, AssetRef(b)) for a in it.subjects for b in it.others if a != b)):
             yield single(stated("distance_constraint", AssetRef(a), b, least))
 
     def _apart(self, it: Asked, metres: tuple[float, float]) -> Iterator[Demand]:

@@ -305,7 +305,7 @@ class Parser(Relating):
         alike = bool(held) and noun is not None and noun.kind == held[0].thing.noun.kind
         if noun is not None and self.refusing and not (self.negated and chunk.det == "the"):
             self.said.refused.append((noun, (chunk.start, chunk.end)))
-        elif noun is not None and noun.kind in AIDS and before in ("use", "uses", "using", "for"):
+        elif noun is not None and noun.kind in AIDS and (before in small.USING or self._ahead().value in small.MODAL):
             self._fact(Chunk("body", chunk.start, chunk.end, AIDS[noun.kind]))
         elif alike and (before == "of" or self._ahead(-2).kind == "with"):
             self._fact(replace(chunk, kind="function"))  # "a bottle of detergent", "a vase with flowers"

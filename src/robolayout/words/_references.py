@@ -324,3 +324,21 @@ class References(Spoken):
             low = self.gap.measure.values[0]
             self.said.links.append(Link("apart", *about, self.gap.start, chunk.end, (low, low + APART)))
         self.gap = None
+
+    def _plain_pair(self, found: Sequence[Item], chunk: Chunk) -> bool:
+        """Return whether "and the ..." goes on with the same relation."""
+        following = self.chunks[self.at : self.at + 3]
+        kinds = [chunk.kind for chunk in following]
+        lists = chunk.value == "far"  # "away from the door, the window and the radiator"
+        if kinds[:1] not in (["and"], ["comma"] * lists) or kinds[1:2] not in (["thing"], ["part"]):
+            return False
+        other, bare = following[1], ("", None, False)  # "the sofa and coffee table"
+        if other.det != "the" and (other.det, other.number, other.plural) != bare:
+            return False
+        ends = {"stop", "comma", "with", *["and"] * lists, *["verb"] * (chunk.value == "amid" and len(found) < 2)}
+        last, part = found[-1], lists or kinds[1] == "part"
+        if isinstance(last, Place):
+            meant = part and last.name in ("window", "door") and chunk.value in ("far", "by", "near", "next")
+        else:
+            meant = part or chunk.value != "by"
+        return meant and (kinds[2:] or ["stop"])[0] in ends

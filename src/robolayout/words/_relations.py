@@ -57,7 +57,7 @@ class Relating(About):
         self.refusing = False
         self.fronted = None if self.acted else self.fronted
         who = self._ahead(-2)
-        if self._in_an_aid():
+        if self._in_an_aid("with"):
             return
         if who.kind in ("people", "body") and who.det == "each":
             self._each_has([], self._people() or 1)
@@ -138,7 +138,7 @@ class Relating(About):
         """A relation: find what it is about, then what it leads to."""
         if chunk.value == "open" and self.verb and self.subject:  # "the table stands free in the middle"
             chunk = replace(chunk, value="middle")
-        aided = chunk.value == "in" and self._in_an_aid()
+        aided = self._parted_from(chunk) or self._in_an_aid(chunk.value)
         if aided or self._of_the_room(chunk) or self._of_a_place(chunk, self.at - 2) or self._along_an_aisle(chunk):
             return
         if self._of_people() or self._of_what_is_unknown():
@@ -382,10 +382,11 @@ class Relating(About):
         elif self.zone is not None and self.zone.place is not None and self.zone.place[1] == place[1]:
             self._understood(chunk)  # said again
 
-    def _in_an_aid(self) -> bool:
-        """Note the body of "a person in a wheelchair", "an elderly person with a walker"."""
+    def _in_an_aid(self, how: str) -> bool:
+        """Note the body of "a person in a wheelchair", "an elderly person with a walker", "accessible by wheelchair"."""
         following, who = self._ahead(), self._ahead(-2).kind
-        if following.noun is None or following.noun.kind not in AIDS or who not in ("people", "body"):
+        moved = (how in ("in", "with") and who in ("people", "body")) or (how == "by" and not following.det)
+        if following.noun is None or following.noun.kind not in AIDS or not moved:
             return False
         self._understood(self._ahead(-1))
         self.at += 1
