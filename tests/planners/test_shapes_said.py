@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 import pytest
-from said_rooms import made, of
+from said_rooms import at_sides, made, of
 
 import robolayout as rl
 from robolayout.run.result import Result
@@ -146,3 +146,32 @@ def test_a_wheelchair_that_somebody_moves_with_is_no_thing(text: str, body: str 
     scene, understood = rl.scene_from_sentence(text)
     assert understood.agent == body
     assert any(asset.category in ("wheelchair", "walker") for asset in scene.assets) is (body is None)
+
+
+def test_an_odd_seat_is_at_the_head_of_a_table() -> None:
+    result = made("a dining room with a table and seven chairs")
+    sides = at_sides(result, "chair", "dining_table-0")
+    assert sorted(sides.count(side) for side in {*sides}) == [1, 3, 3]
+
+
+def test_a_projector_above_a_table_hangs_from_the_ceiling() -> None:
+    result = made("a conference room with a projector above the table")
+    lamp, table = result.layout["projector-0"], result.layout["conference_table-0"]
+    assert result.report.ok and lamp.z > 2.0
+    assert math.dist(lamp.at, table.at) < 0.2
+
+
+def test_a_printer_stand_between_two_desks_keeps_these_apart() -> None:
+    result = made("an office with two desks facing each other, a printer stand between them")
+    assert result.report.ok
+    (one, other), (stand,) = poses(result, "desk"), poses(result, "printer_stand")
+    span = math.dist(one[:2], other[:2])
+    share = sum((s - a) * (b - a) for a, b, s in zip(one[:2], other[:2], stand[:2], strict=True)) / span**2
+    assert 0.3 < share < 0.7
+
+
+@pytest.mark.parametrize("name", ["terrace", "patio", "balcony"])
+def test_outdoors_is_no_cafe(name: str) -> None:
+    result = made(f"a {name}")
+    assert result.report.ok and of(result, "round_table") and of(result, "chaise_longue")
+    assert not of(result, "cash_register")

@@ -135,13 +135,14 @@ class Demander(AtSides):
             yield in_rows(it.subjects, 2, "paired")  # pairs one before the other would have no room before them
             return
         desks = relation == "mutual" and self._is(it.subjects[0], ("desk",))  # who sits there looks over its back
-        ways = ways_of.BY_TWOS["mutual desks" if desks else relation]
         for a, b in zip(it.subjects[::2], it.subjects[1::2], strict=False):
-            demand, seated = by_ways(ways, b, a), relation == "mutual" and self._is(a, ways_of.SEATS)
+            amid = self.between.get(a, 0.0)
+            apart = ((("behind", amid, amid + ways_of.BESIDE), ("align_with", 180.0)),) if desks and amid else None
+            demand = by_ways(apart or ways_of.BY_TWOS["mutual desks" if desks else relation], b, a)
             deep = sum(self._asset(name).size[0] for name in (a, b)) / 2  # their fronts are the sides that meet
-            least = ways_of.KNEES + deep + self.between.get(a, 0.0)
-            knees = stated("distance_constraint", AssetRef(b), AssetRef(a), round(least, 3))
-            yield Demand(tuple((*way, knees) for way in demand.ways) if seated else demand.ways)
+            knees = (stated("distance_constraint", AssetRef(b), AssetRef(a), round(ways_of.KNEES + deep + amid, 3)),)
+            knees *= relation == "mutual" and self._is(a, ways_of.SEATS)
+            yield Demand(tuple((*way, *knees) for way in demand.ways))
 
     def _on_each(self, a: str, b: str) -> Demand:
         """A thing rests on another: a rug lies below what stands on it."""
@@ -316,8 +317,7 @@ class Demander(AtSides):
             if len(others) == len(subjects) > 1 and self._into_a_mirror(a, others[i]):
                 ways = [*by_ways(ways_of.BEFORE_A_MIRROR, a, others[i]).ways]
             if len(others) >= ways_of.CROWD and alike(self.scene, others):
-                # who looks at a crowd is opposite to all of it
-                turn = (180.0 + angles[0] + self._looks(others[0])[0]) % 360.0
+                turn = (180.0 + angles[0] + self._looks(others[0])[0]) % 360.0  # opposite to all of a crowd
                 ways = [(stated("align_with", AssetRef(a), AssetRef(others[0]), turn),), *ways]
             if i and ways and not others:  # side by side before one window
                 ways = [*by_ways(ways_of.ABREAST, a, subjects[0]).ways, *ways]
