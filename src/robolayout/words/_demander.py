@@ -137,8 +137,8 @@ class Demander(AtSides):
         desks = relation == "mutual" and self._is(it.subjects[0], ("desk",))  # who sits there looks over its back
         for a, b in zip(it.subjects[::2], it.subjects[1::2], strict=False):
             amid = self.between.get(a, 0.0)
-            apart = ((("behind", amid, amid + ways_of.BESIDE), ("align_with", 180.0)),) if desks and amid else None
-            demand = by_ways(apart or ways_of.BY_TWOS["mutual desks" if desks else relation], b, a)
+            far = (("behind", amid, amid + ways_of.BESIDE), ("align_with", 180.0))
+            demand = by_ways((far,) if desks and amid else ways_of.BY_TWOS["mutual desks" if desks else relation], b, a)
             deep = sum(self._asset(name).size[0] for name in (a, b)) / 2  # their fronts are the sides that meet
             knees = (stated("distance_constraint", AssetRef(b), AssetRef(a), round(ways_of.KNEES + deep + amid, 3)),)
             knees *= relation == "mutual" and self._is(a, ways_of.SEATS)
