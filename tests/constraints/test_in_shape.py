@@ -80,6 +80,7 @@ def test_a_u_has_three_sides_that_look_inward() -> None:
         ([(1.0 + k, 5.0, math.pi / 2) for k in range(6)], "half circle"),
         ([(1.0 + k, 5.0, math.pi / 2) for k in range(6)], "u"),
         (moved(HORSESHOE, 4, y=-0.6), "u"),
+        ([*HORSESHOE[:3], (3.0, 7.0, math.pi / 2), (3.0, 3.0, -math.pi / 2)], "u"),  # its arms look outward
         (moved(HORSESHOE, 1, yaw=0.3), "u"),
         ([(5.0, 5.0, 0.0)] * 5, "circle"),
         ([(5.0, 5.0, 0.0)] * 5, "u"),

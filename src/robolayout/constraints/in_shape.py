@@ -36,7 +36,7 @@ class InShape(Relation):
 
     name = "in_shape"
     moves = ("items",)
-    surrogate = True  # each at a place of its own in the smallest such shape, where the check takes any order and size
+    surrogate = True  # each keeps its place in the order, where the check takes any order
     example = 'solver.in_shape([chair[0], chair[1], chair[2], chair[3]], "half circle")'
 
     items: tuple[AssetRef, ...] = argument("asset", many=True)
@@ -132,7 +132,7 @@ def _as_u(poses: Sequence[tuple[float, float, float]]) -> Fit:
 def _about(poses: Sequence[tuple[float, float, float]], yaw: float) -> Fit:
     """Return the same where the middle side is of those that are turned so."""
     here = Pose(0.0, 0.0, 0.0, yaw)
-    sides = tuple(list[tuple[float, float]]() for _ in range(4))  # (along, across) of what looks so
+    sides = tuple(list[tuple[float, float]]() for _ in range(4))  # metres off its line and along it, of what looks so
     askew = 0.0
     for x, y, turned in poses:
         quarter = round((turned - yaw) / (math.pi / 2)) % 4
@@ -146,7 +146,6 @@ def _about(poses: Sequence[tuple[float, float, float]], yaw: float) -> Fit:
     off = max(max(line) - min(line) for line in ([one for one, _ in side] for side in (base, right, left))) / 2
     places = [sorted(along for _, along in side) for side in (base, right, left)]
     steps = [after - before for side in places for before, after in pairwise(side)]
-    lies = max(v for v, _ in right) < min(v for v, _ in left) and max(u for u, _ in base) < min(
-        u for _, u in (*left, *right)
-    )
-    return off, askew, max(steps) * len(steps) / sum(steps) if any(steps) else 1.0, lies
+    apart = max(v for v, _ in right) < min(v for v, _ in left)
+    ahead = max(u for u, _ in base) < min(u for _, u in (*left, *right))
+    return off, askew, max(steps) * len(steps) / sum(steps) if any(steps) else 1.0, apart and ahead

@@ -42,10 +42,8 @@ class Sizes:
     around: float = 0.7
     before: float = 2.0
     """Metres between rows of desks, between other rows, beside and behind a block of rows, and before it."""
-    apart: tuple[float, float] = (
-        0.35,
-        0.85,
-    )  # metres between neighbours in a half circle, and in a circle, which one enters
+    apart: tuple[float, float] = (0.35, 0.85)
+    """Metres between neighbours in a half circle, and in a circle, which one enters."""
     walkway: float = 0.6
     seated: float = 1.2
     """Metres by which a room is longer and wider than the longest thing in it, where no size is given; more at ends of tables."""

@@ -14,8 +14,9 @@ BOUNDS = {tuple(phrase.split()): name for name, phrases in _DATA["bounds"].items
 ORDINALS = ("first", "second", "third", "last")
 JOINING, WITH, NEGATING, BREAKING = (_WORDS[name] for name in ("joining", "with", "negating", "breaking"))
 REFUSING = NEGATING | {"no", "without", "neither", "nor"}
-LED, FINITE, PLURAL_DOES, ALONE_DOES, LED_BACK, MODAL, USING, REACHED = (
-    _WORDS[name] for name in ("led", "finite", "plural_does", "alone_does", "led_back", "modal", "using", "reached")
+LED, FINITE, PLURAL_DOES, ALONE_DOES, LED_BACK, MODAL, USING, REACHED, ABLE = (
+    _WORDS[name]
+    for name in ("led", "finite", "plural_does", "alone_does", "led_back", "modal", "using", "reached", "able")
 )
 PEOPLE, YOUNG, SEATED, LEADING = (_WORDS[name] for name in ("people", "young", "seated", "leading"))
 SIBLINGS, BORN = _WORDS["siblings"], {"couple": 2, "twins": 2, "triplets": 3}

@@ -182,9 +182,8 @@ class Parser(Relating):
             # "a teacher's desk and three tables, each with four chairs"
             self.subject = self.group = [m for m in self.group if m.several]
             self.holder, self.having = [], False
-        elif several_meant and (
-            self.before or len([*self.recent, *self.targets]) > 1
-        ):  # "..., and both of them face it"
+        elif several_meant and (self.before or len([*self.recent, *self.targets]) > 1):
+            # "..., and both of them face it"
             self.subject = self.group = self._several_meant("", self.recent, self.targets)
         elif self.before and not self.group and not room:
             self.subject, self.group = list(self.before), list(self.before)
@@ -305,7 +304,7 @@ class Parser(Relating):
         alike = bool(held) and noun is not None and noun.kind == held[0].thing.noun.kind
         if noun is not None and self.refusing and not (self.negated and chunk.det == "the"):
             self.said.refused.append((noun, (chunk.start, chunk.end)))
-        elif noun is not None and noun.kind in AIDS and (before in small.USING or self._ahead().value in small.MODAL):
+        elif noun is not None and noun.kind in AIDS and (before in small.USING or self._ahead().value in small.ABLE):
             self._fact(Chunk("body", chunk.start, chunk.end, AIDS[noun.kind]))
         elif alike and (before == "of" or self._ahead(-2).kind == "with"):
             self._fact(replace(chunk, kind="function"))  # "a bottle of detergent", "a vase with flowers"
