@@ -70,7 +70,12 @@ def test_a_half_circle_is_open_to_what_is_watched(text: str, kind: str, watched:
 
 
 @pytest.mark.parametrize(
-    "text", ["eight desks in a U shape facing the board", "twelve desks in a horseshoe facing the whiteboard"]
+    "text",
+    [
+        "eight desks in a U shape facing the board",
+        "twelve desks in a horseshoe facing the whiteboard",
+        "an office where eight desks form a U",
+    ],
 )
 def test_who_sits_at_a_u_of_desks_looks_inward(text: str) -> None:
     result = made(text)
