@@ -70,12 +70,14 @@ class Who:
 
     def planner(self, run: RunFolder, seed: int) -> Planner:
         """Return the planner of one run."""
-        from robolayout.planners import FilePlanner, ModelPlanner
-
         if self.program is not None:
+            from robolayout.planners import FilePlanner
+
             return FilePlanner(self.program)
         if not self.asks_a_model:
             return self.by_rules()
+        from robolayout.planners import ModelPlanner  # and with it pydantic, which takes 60 ms
+
         given = {one.name: getattr(self, one.name) for one in fields(Who) if one.name not in ("program", "knowledge")}
         given |= {"fallback": tuple(self.fallback or ()), "exchanges": self._exchanges(run), "seed": seed}
         return ModelPlanner(**given)

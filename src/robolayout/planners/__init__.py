@@ -5,7 +5,17 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from robolayout._lazy import loader
-from robolayout.planners._types import USELESS, Critic, Group, GroupPlanner, Judgement, Pictures, Planner, PlanRequest
+from robolayout.planners._types import (
+    USELESS,
+    Critic,
+    Group,
+    GroupPlanner,
+    Judgement,
+    Pictures,
+    Planner,
+    PlanRequest,
+    RoomPlanner,
+)
 
 if TYPE_CHECKING:
     from robolayout.planners.file import FilePlanner
@@ -33,6 +43,7 @@ __all__ = [
     "Pictures",
     "PlanRequest",
     "Planner",
+    "RoomPlanner",
     "SampleScore",
     "Understanding",
     "poses_text",

@@ -4,11 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import Any, Literal, Protocol, runtime_checkable
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Literal, Protocol, runtime_checkable
 
 from robolayout._errors import AnswerError, BudgetError, UnavailableError
 from robolayout.scene import Layout, Scene
 from robolayout.words import Demand
+
+if TYPE_CHECKING:
+    from robolayout.planners.sentence import Understanding
 
 USELESS = (AnswerError, BudgetError, UnavailableError)
 """Failures of a model that nobody has to mend first: rules take over from it."""
@@ -59,6 +63,15 @@ class Planner(Protocol):
 
     def plan(self, request: PlanRequest) -> str:
         """Return the text of a constraint program for the request."""
+        ...
+
+
+@runtime_checkable
+class RoomPlanner(Protocol):
+    """A planner that says what a room has of which only words are given."""
+
+    def furnish(self, text: str, *, assets: Path | None = None) -> tuple[Scene, Understanding]:
+        """Return a scene for a sentence, and what was understood."""
         ...
 
 

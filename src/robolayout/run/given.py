@@ -12,7 +12,7 @@ import shapely
 
 from robolayout._errors import InputError, among
 from robolayout.assets import place_of
-from robolayout.planners import ModelPlanner, OfflinePlanner, Planner, PlanRequest, Understanding, scene_from_sentence
+from robolayout.planners import OfflinePlanner, Planner, PlanRequest, RoomPlanner, Understanding, scene_from_sentence
 from robolayout.program import CUSTOM, Guess, Program, Statement, read_program
 from robolayout.scene import (
     Agent,
@@ -68,7 +68,7 @@ def furnished(
     assets: Path | None = None,
 ) -> tuple[Scene, Understanding]:
     """Return the scene of words, and what was understood: by the planner where it is a model, else by rules."""
-    if isinstance(planner, ModelPlanner):
+    if isinstance(planner, RoomPlanner):
         return planner.furnish(text, assets=assets)
     return scene_from_sentence(text, seed=seed, variant=variant, knowledge=knowledge, agents=agents)
 
