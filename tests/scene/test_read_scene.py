@@ -402,8 +402,8 @@ WRONG: list[tuple[Data | list[int], str]] = [
     ),
     (
         without("assets", "bed-0", "assetMetadata"),
-        "asset 'bed-0' has no assetMetadata: give its boundingBox (x: depth, y: width, z: height, in metres), or name the "
-        "catalogue (catalogue, from) or the folder (--asset-dir) in which to look it up.",
+        "asset 'bed-0' has no assetMetadata: give its boundingBox (x: depth, y: width, z: height, in metres; `robolayout "
+        "assets` lists usual ones), or name the catalogue (catalogue, from) or the folder (--asset-dir) in which to look it up.",
     ),
     (
         changed("assets", "bed-0", "assetMetadata", to=box(4.1, 5.2, 1)),

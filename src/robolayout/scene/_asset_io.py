@@ -64,7 +64,8 @@ def _named(entries: dict[str, Entry], asset_dir: Path | None) -> dict[str, tuple
     if unknown and asset_dir is None:
         raise SceneError(
             f"asset {show(unknown[0])} has no assetMetadata: give its boundingBox (x: depth, y: width, z: height, in "
-            "metres), or name the catalogue (catalogue, from) or the folder (--asset-dir) in which to look it up."
+            "metres; `robolayout assets` lists usual ones), or name the catalogue (catalogue, from) or the folder (--asset-dir) "
+            "in which to look it up."
         )
     found = look_up(unknown, asset_dir) if asset_dir is not None and unknown else {}
     looked_up = {key: (name, entry | dict(entries[key])) for key, (name, entry) in found.items()}
