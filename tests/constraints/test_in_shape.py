@@ -99,7 +99,7 @@ def test_where_the_search_puts_things_they_meet_the_check_and_not_each_other(
     assets = tuple(Asset(f"desk-{i}", "desk", (0.7, 1.4, 0.75)) for i in range(count))
     scene = Scene(ROOM, assets)
     relation = InShape(tuple(AssetRef(asset.name) for asset in assets), shape, toward)
-    layout = Layout({asset.name: pose for asset, pose in zip(assets, relation.slots(scene), strict=True)})
+    layout = Layout(relation.slots(scene))
     assert relation.check(scene, layout).met
     plans = [Polygon(layout[asset.name].corners(asset.size)) for asset in assets]
     assert not any(one.distance(other) < 0.05 for k, one in enumerate(plans) for other in plans[:k])

@@ -78,10 +78,9 @@ def shares(count: int, table: tuple[float, float], width: float) -> dict[str, in
     if square and count <= 4:
         order = (*long, *short)
         return {side: int(i < count) for i, side in enumerate(order)}
-    if count % 2 and 5 <= count <= 2 * room_long + 1 and not square:
-        return {long[0]: count // 2, long[1]: count // 2, short[0]: 1, short[1]: 0}  # one at the head
     per_long = min(room_long, (count + 1) // 2)
     heads = 2 if count - 2 * per_long >= 1 or (count >= 6 and count % 2 == 0 and count // 2 - 1 >= 1) else 0
+    heads = 1 if count % 2 and 5 <= count <= 2 * room_long + 1 and not square else heads
     rest = max(count - heads, 0)
     result = {long[0]: (rest + 1) // 2, long[1]: rest // 2, short[0]: 0, short[1]: 0}
     for i in range(min(heads, count)):

@@ -6,7 +6,6 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise
-from statistics import median
 
 import numpy as np
 
@@ -52,22 +51,23 @@ class InShape(Relation):
         """The item in the middle of an open shape, opposite to where it is open."""
         return self.items[len(self.items) // 2]
 
-    def slots(self, scene: Scene, gap: float = SHAPES.gap[0]) -> tuple[Pose, ...]:
-        """Return the place of each item in the shape's frame: x looks from its head to where it is open."""
+    def slots(self, scene: Scene, gap: float = SHAPES.gap[0]) -> dict[str, Pose]:
+        """Return the place of each item, by name, in the shape's frame: x looks from its head to where it is open."""
         sizes = [scene.by_name[item.name].size for item in self.items]
         depth, width = (max(size[k] for size in sizes) for k in (0, 1))
         turned = math.pi if self.toward == "out" else 0.0
         found = shape_slots(self.shape, len(sizes), depth, width, gap)
-        return tuple(Pose(x, y, 0.0, yaw + turned) for x, y, yaw in found)
+        return {i.name: Pose(x, y, 0.0, yaw + turned) for i, (x, y, yaw) in zip(self.items, found, strict=True)}
 
     def terms(self, scene: Scene, near: Layout) -> tuple[Term, ...]:
         """Return one row for each item but the head: its place as seen from there, as far from the next as the guess has it."""
-        apart = (math.dist(near[one.name].at, near[two.name].at) for one, two in pairwise(self.items))
+        apart = [math.dist(near[one.name].at, near[two.name].at) for one, two in pairwise(self.items)]
         width = max(scene.by_name[item.name].size[1] for item in self.items)
-        slots = self.slots(scene, min(max(median(apart) - width, SHAPES.gap[0]), SHAPES.gap[1]))
-        at = slots[len(slots) // 2]
+        slots = self.slots(scene, min(max(float(np.median(apart)) - width, SHAPES.gap[0]), SHAPES.gap[1]))
+        at = slots[self.head.name]
         rows = list[Term]()
-        for item, slot in zip(self.items, slots, strict=True):
+        for item in self.items:
+            slot = slots[item.name]
             (x, y), heading = at.seen(slot.at), slot.yaw - at.yaw
             along, across = Interval(x, x), Interval(y, y)
             rows += [FrameTerm(item, self.head, along, across, heading=heading, moves="both")] * (item != self.head)

@@ -101,8 +101,8 @@ def join_as_asked(cast: Mapping[str, Cast], demands: Sequence[Demand], passage: 
         last = next((one for one in chain(b, found) if found[one].anchor == a), "")
         if last and found[last].join.loose and last not in wanted:
             found[last] = found[last].alone
-    for name in (one.asset_names()[0] for one in said(demands) if one.name == "above"):
-        found[name] = found[name].alone if found[name].asset.on_ceiling else found[name]  # a projector over the table
+    over = (one.asset_names()[0] for one in said(demands) if one.name == "above")
+    found |= {name: found[name].alone for name in over if found[name].asset.on_ceiling}  # a projector over the table
     for name, (anchor, join) in wanted.items():
         found[name] = found[name].alone
         if name not in chain(anchor, found):

@@ -175,8 +175,7 @@ class AtPlaces:
 
     def _looks(self, name: str) -> tuple[float, ...]:
         """Return degrees from the front of a thing to where it looks, best first: who sits at a desk looks over its back."""
-        over = self._is(name, ("desk", "table")) and not self._is(name, ("reception desk",))
-        return (180.0, 0.0) if over else (0.0,)
+        return (180.0, 0.0) if ways_of.looks_over(self._asset(name)) else (0.0,)
 
     def _only_wall(self, name: str) -> bool:
         asset = self._asset(name)

@@ -9,9 +9,9 @@ from itertools import pairwise
 from robolayout.constraints import AssetRef, PointRef, WallRef
 from robolayout.constraints.in_rows import InRows
 from robolayout.constraints.in_shape import InShape
-from robolayout.scene import Asset, Room, Scene
+from robolayout.scene import Room, Scene
 from robolayout.words._said import Link
-from robolayout.words._ways import ACROSS, AISLE, AT_SIDES, BACK, BESIDE, NEAR, SHAPES
+from robolayout.words._ways import ACROSS, AISLE, AT_SIDES, BACK, BESIDE, NEAR, SHAPES, looks_over
 from robolayout.words.demands import Demand, single, stated
 
 End = AssetRef | PointRef
@@ -22,11 +22,6 @@ def alike(scene: Scene, names: Sequence[str]) -> bool:
     """Return whether several things of one size stand on the floor."""
     things = [scene.by_name[name] for name in names]
     return len(things) > 1 and len({thing.size for thing in things}) == 1 and things[0].on_floor
-
-
-def at_work(asset: Asset) -> bool:
-    """Return whether one sits at a thing's front and looks over it."""
-    return asset.category.endswith(("desk", "table"))
 
 
 def lines(scene: Scene, link: Link, names: Sequence[str]) -> int | None:
@@ -77,7 +72,7 @@ class ToldRows:
         formed = ((link.relation, named) for link, named, _ in links if link.relation in SHAPES)
         self.shape = {
             name: InShape(
-                tuple(map(AssetRef, named)), SHAPES[relation], "out" if at_work(scene.by_name[name]) else "in"
+                tuple(map(AssetRef, named)), SHAPES[relation], "out" if looks_over(scene.by_name[name]) else "in"
             )
             for relation, named in formed
             if len(named) > 2 and alike(scene, named)
@@ -111,7 +106,7 @@ class ToldRows:
             elif shape.shape == "circle":
                 yield from (single(stated("point_towards", item, b)) for item in shape.items)
             else:
-                turn = math.degrees(shape.slots(self.scene)[len(names) // 2].yaw) + 180.0
+                turn = math.degrees(shape.slots(self.scene)[shape.head.name].yaw) + 180.0
                 before = stated("in_front_of", shape.head, b, 0.0, ACROSS)
                 yield Demand(((stated("align_with", shape.head, b, round(turn % 360.0, 3)), before),))
 

@@ -5,6 +5,8 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 
+from robolayout.scene import Asset
+
 Ways = tuple[tuple[tuple[str | float, ...], ...], ...]
 """Ways, each of statements, each with its further arguments."""
 
@@ -183,3 +185,9 @@ BY_TWOS: Mapping[str, Ways] = {
 def visits(category: str) -> bool:
     """Return whether such seats are of those who sit across a desk from whose it is: a visitor chair."""
     return not {"visitor", "guest", "client", "patient"}.isdisjoint(category.split())
+
+
+def looks_over(asset: Asset) -> bool:
+    """Return whether who sits at a thing looks over its back: at a desk or table, not at a reception desk."""
+    kinds = [kind for kind in (asset.category, asset.like) if kind.endswith(("desk", "table"))]
+    return bool(kinds) and not any(kind.endswith("reception desk") for kind in kinds)

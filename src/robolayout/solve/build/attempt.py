@@ -416,7 +416,7 @@ class BuildPass:
             turned = rows[across != across[0]][: told * COSTS.checked]  # the other way may leave a way past it
             more += [(float(cost[row]), plan, batch, int(row)) for row in turned]
         limit = COSTS.hopeless + (missed if told else 0.0)  # what no place meets of a block speaks against none
-        limit = math.inf if self.site.wants[clusters[0].anchor].shape else limit
+        limit = limit if self.site.wants[clusters[0].anchor].shape is None else math.inf
         best = self._best_grid(clusters, few, limit)
         if best is None and more:
             best = self._best_grid(clusters, more, limit)

@@ -29,10 +29,11 @@ TIGHTEST = 0.5
 def grid_batches(site: Site, clusters: Sequence[Cluster]) -> Iterator[tuple[GridPlan, Places]]:
     """Yield every arrangement of equal clusters in a grid, with the places for its middle."""
     want = site.wants[clusters[0].anchor]
-    rows = want.rows
     if want.shape is not None:
         yield from _shaped(site, clusters, want.shape)
-    if rows is None or want.shape is not None:
+        return
+    rows = want.rows
+    if rows is None:
         return
     extent = _extent(site, clusters[0])
     size = site.size(clusters[0].anchor)
@@ -61,19 +62,21 @@ def _shaped(site: Site, clusters: Sequence[Cluster], shape: InShape) -> Iterator
     """Yield a circle, half circle or U of all of its things, open to each side of the room."""
     names = tuple(cluster.anchor for cluster in clusters)
     wide = {"circle": (site.corridor + WIDER, ENTERED), "half circle": (ENTERED,)}.get(shape.shape, ())
-    for gap in (*wide, *SHAPES.gap[:1]) if {*names} == {*shape.asset_names()} else ():
+    if {*names} != {*shape.asset_names()}:
+        return
+    yaws = [yaw + shape.slots(site.scene)[names[0]].yaw for yaw in room_yaws(site)]
+    for gap in (*wide, *SHAPES.gap[:1]):
         plan = shaped_plan(site, names, shape, gap)
         tight = replace(plan, tight=bool(wide) and gap == SHAPES.gap[0])
         cluster = _cluster(clusters, plan, site.size(names[0]))
-        turn = dict(zip(shape.asset_names(), shape.slots(site.scene, gap), strict=True))[names[0]].yaw
-        poses = _poses(site, cluster, [yaw + turn for yaw in room_yaws(site)])
+        poses = _poses(site, cluster, yaws)
         if len(poses):
             yield tight, Places("grid", cluster, poses, np.full(len(poses), -1))
 
 
 def shaped_plan(site: Site, names: tuple[str, ...], shape: InShape, gap: float) -> GridPlan:
     """Return how all of a circle, half circle or U stand, seen from the first of some names, so many metres apart."""
-    there = dict(zip(shape.asset_names(), shape.slots(site.scene, gap), strict=True))
+    there = shape.slots(site.scene, gap)
     first = there[names[0]]
     cells = tuple((*first.seen(there[name].at), there[name].yaw - first.yaw) for name in names)
     return GridPlan(names, 1, len(names), 0.0, 0.0, cells=cells)

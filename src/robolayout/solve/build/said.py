@@ -77,8 +77,8 @@ class Said:
             best = np.full(len(poses), np.inf)
             for way in one.ways:
                 known = [part for part in way if there.issuperset(part.asset_names())]
-                rows = [term for part in known for term in part.terms(self.scene, now)]
-                rows = [term for term in rows if isinstance(term, FrameTerm | MirrorTerm)]
+                terms = (term for part in known for term in part.terms(self.scene, now))
+                rows = [term for term in terms if isinstance(term, FrameTerm | MirrorTerm)]
                 best = np.minimum(best, sum((self._missed(row, moving, placed) for row in rows), np.zeros(len(poses))))
             total += MISSED * (best > SLACK) + PER_METRE * np.minimum(best, FARTHEST)
         return total
