@@ -153,7 +153,7 @@ def test_variants_differ_and_repeat() -> None:
     [
         ("", "the sentence is empty"),
         ("  \n ", "the sentence is empty"),
-        ("hello there", "names no room; known room types: bar, bathroom, bedroom.*; words are read in English"),
+        ("hello there", "names no room; known room types: art studio, bar, bathroom.*; words are read in English"),
         ("a bed and " * 2000, "the sentence has 20000 characters; say it in at most 10000"),
         ("12 beds in a bedroom of 2 x 2 m", "12 x bed need .* a room of 2 x 2 m has 4.0 m2"),
         ("a bedroom of 0.5 x 3 m", "cannot be furnished"),

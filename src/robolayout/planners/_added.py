@@ -10,7 +10,7 @@ from itertools import chain
 
 import numpy as np
 
-from robolayout.planners._wishes import INSTEAD, RoomWishes, head
+from robolayout.planners._wishes import INSTEAD, LOW, RoomWishes, head
 from robolayout.scene import Agent
 from robolayout.words import SHAPES, WATCHING, Link, mentions, named, place_in, visits
 
@@ -59,7 +59,7 @@ class Added:
         self.spared |= self._unseen() | self._crowded_out()
         formed = [mention for link in said if link.relation in SHAPES for mention in link.subjects]
         if formed:  # the middle of the room is theirs, and seats in a circle are at no desk
-            instead = ("desk", "pew") if any(mention.sat_on for mention in formed) else ()
+            instead = ("desk", "pew", "sofa", "armchair", "rug") if any(mention.sat_on for mention in formed) else ()
             usual = (*wishes.room.base, *wishes.room.extras)
             self.spared |= {name for name in usual if name.endswith((*instead, "conference table", "dining table"))}
         self.named = self.spared | self.wished.keys()
@@ -213,7 +213,8 @@ class Added:
         """Add a thing with what it needs, as many times as there is room for."""
         present = {self.wishes.head(other) for other in (*self.wished, *self.found)}
         # chairs are there, and nothing that they stand at
-        waiting = "chair" in present and not {"table", "desk"} & present
+        tops = {head(other) for other in (*self.wished, *self.found) if other not in LOW}
+        waiting = "chair" in present and not {"table", "desk"} & tops
         needs = {
             other: each
             for other, each in self._companions(name).items()

@@ -170,6 +170,16 @@ def looked_at(demands: Iterable[Demand]) -> dict[str, str]:
     return {pair[0]: pair[1] for pair in pairs if len(pair) == 2}
 
 
+def lain_at(demands: Iterable[Demand]) -> dict[str, str]:
+    """Return what is only asked to be before, beside or near one other thing, with that: a rug there lies below what belongs to it."""
+    at = dict[str, set[tuple[str, ...]]]()
+    for one in said(demands, placing=True):
+        to = one.asset_names()[1:] if one.name in ("in_front_of", "next_to", "near") else ()
+        for name in one.asset_names()[:1]:
+            at.setdefault(name, set()).add(to)
+    return {name: others[0] for name, (others, *more) in at.items() if others and not more}
+
+
 def open_beside(demands: Iterable[Demand]) -> dict[str, str]:
     """Return what is asked to keep its left or its right clear, with the other side: what goes beside it stands there."""
     clear = [one for one in said(demands) if isinstance(one, KeepClear) and one.side in ("left", "right")]

@@ -16,6 +16,7 @@ from robolayout.planners._knowledge import DATA, Knowledge, Role
 from robolayout.scene import FLAT_HEIGHT
 from robolayout.words import (
     KIN,
+    SHAPES,
     Lexicon,
     Link,
     NamedThing,
@@ -40,7 +41,7 @@ SMALL = (*LOW, "kids table", "dining table", "round table")
 GENERAL = ("desk", "bed", "table", "chair", "seat", "shelf", "sink", "counter", "mat", "monitor", "scale")
 """Nouns that mean what is usual in a room: a desk of a classroom is a student desk."""
 
-LACKING, LIKELY = 0.6, 0.9
+LACKING, LIKELY, TELLING = 0.6, 0.9, 6.0
 """What a room loses by each thing that it always has and that is not named, and what makes it likely, in things that belong there."""
 
 LIKE = {"single bed": " bed", "sofa": " sofa"}
@@ -66,6 +67,7 @@ OF_CORNERS = {"workspace": "office"}  # rooms that are meant where only a part o
 AT_ONE = 8  # seats up to which "tables for six" is said of each of them
 APART_AT_TABLE = 0.03  # metres between seats that are wider
 FOR_TWO = 0.8  # metres of a table for two
+IN_A_SHAPE = 6  # things in a circle, a half circle or a U of which no number is said
 
 SEATS, AT_A_LINE = ("stool", "chair"), ("front", "by", "with", "wall", "next", "around")
 """Last words of what sits before a counter, and relations that say so."""
@@ -315,8 +317,8 @@ def _settle_number(thing: NamedThing, wishes: RoomWishes) -> None:
     """Settle how many there are where a plural says no number: what the people of such a room usually have, no table for a crowd."""
     said = thing.number is not None or thing.rows or thing.bound or thing.times > 1 or not thing.plural
     name, room, crowd = wishes.kind(thing), wishes.room, thing.people > AT_ONE
-    led = (item for link in wishes.reading.parsed.links if thing in named(link.subjects) for item in link.objects)
-    if said or (not crowd and any(isinstance(item, Place) for item in led)):
+    about = [link for link in wishes.reading.parsed.links if thing in named(link.subjects)]
+    if said or (not crowd and any(isinstance(item, Place) for link in about for item in link.objects)):
         return  # "chairs along the wall" are some of them
     if crowd:  # "tables for twenty": small ones in a cafe, large ones elsewhere
         thing.number = math.ceil(thing.people / (room.at_table if name == room.tables else AT_ONE))
@@ -324,7 +326,8 @@ def _settle_number(thing: NamedThing, wishes: RoomWishes) -> None:
         return
     people = wishes.reading.people or room.people
     at_tables = math.ceil(people / (thing.people or room.at_table)) if name == room.tables else 0
-    usual = max(at_tables or room.person.get(name, 0) * people, room.base.get(name, 0))
+    formed = IN_A_SHAPE if any(link.relation in SHAPES for link in about) else 0
+    usual = max(at_tables or room.person.get(name, 0) * people, room.base.get(name, 0), formed)
     thing.number = usual if usual > thing.count else None
 
 
@@ -338,15 +341,16 @@ def _room(reading: Reading, rooms: RoomTypes) -> tuple[RoomType, list[str]]:
     if corners:
         return rooms.rooms[OF_CORNERS[corners[0]]], []
     kinds = {thing.noun.kind for thing in reading.parsed.things}
-    usual = {kind for room in rooms.rooms.values() for kind in room.base}
-    kinds |= {like for like, last in LIKE.items() if any(kind.endswith(last) for kind in kinds - usual)}
+    usual = {kind for room in rooms.rooms.values() if room.of != "bedroom" for kind in room.base}
+    kinds |= {like for like, last in LIKE.items() if any(kind.endswith(last) for kind in kinds - usual - {"pet bed"})}
     if not kinds and not reading.parsed.facts:
         known = ", ".join(sorted(rooms.rooms))
         raise SceneError(f"the sentence names no room; known room types: {known}; words are read in English.")
-    likely = _slept_in(rooms.rooms, kinds) if kinds & SLEPT_ON else rooms.rooms
+    likely = {name: room for name, room in rooms.rooms.items() if not room.by_name or kinds & {*room.telling}}
+    likely = _slept_in(likely, kinds) if kinds & SLEPT_ON else likely
     scores = {name: _belongs(kinds, room) for name, room in likely.items()}
     best = max(scores, key=lambda name: (scores[name], name == "room"))
-    best = best if scores[best] >= LIKELY or kinds & SLEPT_ON else "room"
+    best = best if scores[best] >= LIKELY else "room"
     named = f"{reading.room_words!r} is no room type that is known" if reading.guessed else "No room was named"
     return rooms.rooms[best], [f"{named}: {best} was taken."]
 
@@ -359,12 +363,18 @@ def _slept_in(rooms: Mapping[str, RoomType], kinds: set[str]) -> dict[str, RoomT
 
 
 def _belongs(kinds: set[str], room: RoomType) -> float:
-    """Return how many of some kinds belong in a room; what always stands there counts double, and lacks where it is missing."""
+    """Return how many of some kinds belong in a room; what always stands there counts double, and lacks where it is missing.
+
+    What tells of such a room counts more than anything that it lacks.
+    """
+    if not kinds & {*room.base, *room.person, *room.telling} - {"chair"}:
+        return 0.0
     found = len(kinds & room.base.keys()) + len(kinds & {*room.base, *room.extras, *room.person})
     missing = (CATALOGUE.get(name) for name in room.base.keys() - kinds)
     # lights, rugs and what hangs or stands on others say little
     slight = [k for k in missing if k and (k.size[2] < FLAT_HEIGHT or not k.on_floor)]
-    return found - LACKING * (len(room.base.keys() - kinds) - len(slight))
+    told = TELLING * len(kinds & {*room.telling})
+    return told + found - LACKING * (len(room.base.keys() - kinds) - len(slight))
 
 
 def _seats(thing: NamedThing, links: Sequence[Link]) -> float:

@@ -53,6 +53,7 @@ class Writer:
     beside: Mapping[str, str]  # what keeps one of its sides clear, and the other side
     # what the words hang something above on the wall, and what that is: nothing else hangs there
     below: Mapping[str, str]
+    lain: Mapping[str, str]  # what is only asked to be before, beside or near one other thing, and that
 
     def order(self) -> list[str]:
         """Return all assets, what is placed first first: low ranks, big things, and what joins a thing right after it."""
@@ -199,7 +200,10 @@ class Writer:
     def _off_the_floor(self, item: Cast, mode: str) -> Iterator[str]:
         """Yield where a thing hangs or lies."""
         a, values, over = self._name(item.name), self._values(item), self._under(item)
-        owner = None if item.name in self.asked else self._owners.get(item.name)
+        owner = self._owners.get(item.name)
+        told = item.name in self.asked
+        if told and not (mode == "rug" and owner and self.cast[owner].anchor == self.lain.get(item.name)):
+            owner = None
         if owner is not None:
             values["b"] = self._name(owner)
             alike = (n for n, one in self.cast.items() if one.role is item.role and n != item.name)

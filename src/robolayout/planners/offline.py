@@ -14,6 +14,7 @@ from robolayout.planners._asked import (
     held_by_walls,
     hung_over,
     join_as_asked,
+    lain_at,
     looked_at,
     needing_room,
     open_beside,
@@ -76,7 +77,7 @@ class OfflinePlanner:
         about = set(request.group.items) if request.group else set(cast)
         words = request.asked
         first, walled = needing_room(cast, words), held_by_walls(words)
-        turned = looked_at(words), open_beside(words), hung_over(scene, words)
+        turned = looked_at(words), open_beside(words), hung_over(scene, words), lain_at(words)
         writer = Writer(scene, cast, subjects(words), formed(words), first, walled, *turned)
         names = {written: name for name, written in scene.expressions.items()}
         text = ["# Walls: " + "; ".join(_wall(wall, scene.room) for wall in scene.room.walls)]

@@ -23,7 +23,7 @@ from robolayout.planners._knowledge import load_knowledge
 from robolayout.planners._openings import with_openings
 from robolayout.planners._wishes import RoomWishes, head, read_wishes
 from robolayout.scene import FLAT_HEIGHT, Agent, Room, Scene, load_agent, scene_from_dict, variable_name
-from robolayout.words import CROWD, SHAPES, RoomType, dressing, named, place_in, places, visits
+from robolayout.words import CROWD, SHAPES, dressing, named, place_in, places, visits
 
 
 @dataclass(frozen=True)
@@ -54,6 +54,12 @@ SIZES = Sizes()
 
 LOUNGE = {"sofa", "armchair", "bench", "stool", "booth", "pew", "recliner"}
 """Last words of what people sit on where there is no table for chairs."""
+
+COUNTERS = {"kitchen island", "bar counter"}
+"""What people sit at on high stools."""
+
+ON_A_SOFA, AT_ONE_SOFA = 3, 5
+"""People on a sofa, and with the armchairs that go with it."""
 
 
 @dataclass(frozen=True)
@@ -137,6 +143,8 @@ def _wished(wishes: RoomWishes) -> dict[str, int]:
     people = _people(wishes, wished)
     heads = {head(name) for name in wished}
     heads |= {"chair"} if SEATS & {*wished} and "table" in heads else set()
+    heads |= {"chair"} if "stool" in heads and _at_a_counter(wished) else set()
+    heads |= {"laptop"} if heads & {"monitor", "computer"} else set()
     heads |= {"seat"} if heads & (LOUNGE | {"chair"}) else set()
     links = wishes.reading.parsed.links
     formed = (link for link in links if link.relation == "rows" or link.relation in SHAPES)
@@ -153,14 +161,32 @@ def _wished(wishes: RoomWishes) -> dict[str, int]:
         heads.add("chair")  # who is here sits elsewhere: on sofas, or on stools at high tables
     for name, count in room.person.items():
         if people and head(name) not in heads and name not in wishes.reading.unwanted:
-            wished[name] += count * people
+            wished[_chair(wishes) if head(name) == "chair" else name] += count * people
             if wishes.seats and head(name) == "desk":
-                wished[_chair(room)] += count * people  # besides those at the table
+                wished[_chair(wishes)] += count * people  # besides those at the table
     chairs = sum(n for name, n in wished.items() if head(name) == "chair")
     tables = any(head(name) == "table" for name in wished if "buffet" not in name)
     if room.tables and not tables and not rows & {"chair", "desk"}:
         wished[room.tables] = math.ceil(chairs / room.at_table)
-    return dict(wished)
+    elif chairs and not tables and "dining table" in room.extras and not _at_a_counter(wished):
+        wished["dining table"] = 1
+    return dict(wished) | _lounge(wishes, wished)
+
+
+def _lounge(wishes: RoomWishes, wished: Mapping[str, int]) -> dict[str, int]:
+    """Return the sofas and armchairs of a room with seats for so many and no chairs for them; as many of them as are said stay."""
+    people = wishes.reading.people
+    if (
+        "sofa" not in wishes.room.base
+        or people <= AT_ONE_SOFA
+        or any(head(name) in ("chair", "table") for name in wished)
+    ):
+        return {}
+    there = {kind: sum(n for name, n in wished.items() if head(name) == kind) for kind in ("sofa", "armchair")}
+    sofas = there["sofa"] or math.ceil(people / AT_ONE_SOFA)
+    armchairs = there["armchair"] or people - ON_A_SOFA * sofas
+    added = {"sofa": sofas, "armchair": armchairs, "coffee table": sofas // 2}
+    return {kind: n for kind, n in added.items() if n > 0 and not there.get(kind, 0)}
 
 
 def _usual_people(wishes: RoomWishes) -> int:
@@ -175,7 +201,7 @@ def _people(wishes: RoomWishes, wished: dict[str, int]) -> int:
     room = wishes.room
     if wishes.seats:
         adults = [name for name in wished if head(name) == "chair" and name not in ("high chair", "kids chair")]
-        chair = _chair(room)
+        chair = _chair(wishes)
         desks = sum(count for name, count in wished.items() if head(name) == "desk")
         if sum(wished[name] for name in adults) <= desks:  # what is asked for stands at the desks
             wished[chair] = max(wished.get(chair, 0), desks) + wishes.seats
@@ -193,9 +219,16 @@ def _people(wishes: RoomWishes, wished: dict[str, int]) -> int:
     return max(own, default=seats or _usual_people(wishes))
 
 
-def _chair(room: RoomType) -> str:
-    """Return what one sits on in a room at a table."""
-    return next((name for name in room.person if head(name) == "chair"), "chair")
+def _at_a_counter(wished: Mapping[str, int]) -> bool:
+    """Return whether there is a high counter and nothing else that people would sit at."""
+    return bool(COUNTERS & {*wished}) and not {"table", "desk", "chair"} & {*map(head, wished)}
+
+
+def _chair(wishes: RoomWishes) -> str:
+    """Return what one sits on in a room at a table, or at the high counter that stands there instead."""
+    if _at_a_counter(wishes.things):
+        return "bar stool"
+    return next((name for name in wishes.room.person if head(name) == "chair"), "chair")
 
 
 def _room_size(wishes: RoomWishes, wished: Mapping[str, int], stretch: float) -> tuple[float, float]:

@@ -139,7 +139,7 @@ class About(References):
                     return replace(place_of(chunk), words=(*chunk.adjectives, *following[1].adjectives))
                 if (chunk.value, following[1].value) == ("middle", "wall"):  # "against the center of the far wall"
                     return replace(place_of(following[1]), words=(*following[1].adjectives, "middle"))
-        return place_of(chunk)
+        return self._side_or_wall(chunk)
 
     def _parted_from(self, chunk: Chunk) -> bool:
         """Read what stands between two things: "the bed is separated from the desk by a bookshelf"; else they are far apart."""

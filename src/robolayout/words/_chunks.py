@@ -13,7 +13,7 @@ from itertools import pairwise
 
 from robolayout.words import _function_words as small
 from robolayout.words._chunk import MARKS, ROWS, SOME, Chunk, without_noun
-from robolayout.words._closed import HEAPS, ClosedWords
+from robolayout.words._closed import ClosedWords, heaped
 from robolayout.words._lexicon import LONGEST, Noun
 from robolayout.words._tokens import VAGUE, count_of
 
@@ -152,7 +152,7 @@ class Chunker(ClosedWords):
             step = self._before_noun(i, det, number) if i < len(self.words) else None
             if step is None:
                 break
-            det = det if det in ("each", "one", *small.SHARES) else step[0] or det
+            det = det if det in ("each", "one", "all", *small.SHARES) else step[0] or det
             if det == "one" and number is not None:
                 total = total or step[1]
             else:
@@ -317,7 +317,7 @@ class Chunker(ClosedWords):
                     after, number = self._counted_after(i + end, number) if kind == "thing" else (0, number)
                     owner = i + end - 1 in self.owners or kind not in ("thing", "part")
                     plural = not owner and _plural(tail[-3 if "of" in tail else -1], noun)
-                    adjectives = (*run[:start], *(HEAPS[word] for word in self.words[at:i] if word in HEAPS))
+                    adjectives = (*run[:start], *heaped(self.words[at:i]))
                     adjectives += tuple(tail[-1:]) if value == "side" and tail[-1] in small.HALVES else ()
                     end += after
                     return Chunk(kind, at, i + end, value, noun, det, number, bound, plural, adjectives, rows=rows)

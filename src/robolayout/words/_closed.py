@@ -10,8 +10,22 @@ from robolayout.words._chunk import MARKS
 from robolayout.words._lexicon import LONGEST, Lexicon, grammar
 from robolayout.words._tokens import Measure, Token, count_of
 
-HEAPS = {"stack": "stacked", "pile": "piled", "wall": "walled"}
-"""Words before "of" that say how things stand, and what they are to the things: one on the other, along a wall."""
+HEAPS = {
+    "stack": "stacked", "pile": "piled", "wall": "walled",
+    "half circle": "halfcircle", "semi circle": "halfcircle", "semicircle": "halfcircle", "arc": "halfcircle",
+    "circle": "circle", "ring": "circle", "horseshoe": "ushape", "u": "ushape", "u shape": "ushape",
+}  # fmt: skip
+"""Words before "of" that say how things stand, and what they are to the things: one on the other, along a wall, in a circle."""
+
+
+def heaped(words: Sequence[str]) -> list[str]:
+    """Return how what follows some words stands: nothing where they say nothing of it.
+
+    >>> heaped(["a", "half", "circle", "of", "six"])
+    ['halfcircle']
+    """
+    before = f" {' '.join(words)} "
+    return [how for phrase, how in HEAPS.items() if f" {phrase} of " in before][:1]
 
 
 class ClosedWords:

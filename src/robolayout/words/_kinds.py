@@ -15,6 +15,9 @@ from robolayout.words._ways import AT_SIDES, BEARING, SEATS, TOPS
 WATCHING = ("front", "facing", "opposite", "around")
 """Relations of seats to what they look at."""
 
+LIGHTS = ("lamp", "light")
+"""Nouns of what may stand on a top or on the floor, or hang."""
+
 
 def settle_kinds(parsed: Parsed) -> None:
     """Give things whose noun means several kinds the first kind that can be where they are asked to be."""
@@ -31,7 +34,7 @@ def settle_kinds(parsed: Parsed) -> None:
         if thing.noun.said == "keyboard" and music:
             _take(thing, "digital piano")
         _settle_table(thing, heads, alone=alone)
-    for link in parsed.links:
+    for link in sorted(parsed.links, key=lambda link: link.relation == "with"):  # which says least of where a lamp is
         _settle_by_others(link)
         _settle_by_place(link)
 
@@ -115,7 +118,7 @@ def _settle_by_others(link: Link) -> None:
 def _settle_by_place(link: Link) -> None:
     """Take what hangs, stands or lies where a relation puts it for a kind that can be there."""
     to = mentions(link.objects)
-    lit = [m for m in to if link.relation == "under" and m.thing.noun.said in ("lamp", "light")]
+    lit = [m for m in to if link.relation == "under" and m.thing.noun.said in LIGHTS]
     place = "ceiling" if lit else _where(link)
     for thing in (mention.thing for mention in lit or link.subjects):
         noun = thing.noun
@@ -123,7 +126,7 @@ def _settle_by_place(link: Link) -> None:
             own = phrase_index().get(f"{noun.said} stand", ())[:1]
             if link.relation == "on" and bearer.noun.said == "stand" and own:
                 bearer.noun = replace(bearer.noun, words=own[0], kind=own[0], guessed="")
-        stands = thing.category.on_floor and noun.said not in ("lamp", "light", "screen")
+        stands = thing.category.on_floor and noun.said not in (*LIGHTS, "screen")
         if place == "wall" and link.relation != "above" and stands:
             continue
         fits = [kind.name for kind in noun.categories if place in kind.places]
@@ -152,6 +155,8 @@ def _where(link: Link) -> str:
         return "floor" if bearer.category.size[2] < FLAT_HEIGHT else "object"
     if link.relation == "with" and bearer.head in (*BEARING, "stand"):
         return "object"
+    if link.relation == "with" and bearer.head in SEATS and all(m.thing.noun.said in LIGHTS for m in link.subjects):
+        return "floor"  # "an armchair with a lamp"
     if link.relation == "flank" and bearer.noun.kind.endswith("bed"):
         return ""  # on the night stands
     return "object" if standing and bearer.places == ("object",) else standing

@@ -17,11 +17,11 @@ from robolayout.words._lexicon import grammar
 from robolayout.words._relations import AIDS, Relating
 from robolayout.words._said import Link, Mention, NamedThing, Parsed, Place, mentions, place_in, place_of, sides
 from robolayout.words._tokens import count_of
-from robolayout.words._ways import SEATS, SLEPT_ON, TOPS
+from robolayout.words._ways import SEATS, SHAPES, SLEPT_ON, TOPS
 
 SAID_OF = {
     "stacked": "stacked", "piled": "stacked", "diagonal": "diagonal", "angled": "diagonal", "walled": "wall",
-    "wallmounted": "on", "wallhung": "on", "ceilingmounted": "hanging",
+    "wallmounted": "on", "wallhung": "on", "ceilingmounted": "hanging", **{name: name for name in SHAPES},
 }  # fmt: skip
 """Relations that stand before a noun."""
 
@@ -117,13 +117,8 @@ class Parser(Relating):
 
     def _for_people(self, chunk: Chunk) -> None:
         """Note for how many the thing before is, or the room: "a table for six"."""
-        if self.group:
-            self.group[-1].thing.people = chunk.number or 0
-            seated = self.group[-1].thing.head in (*TOPS, *SEATS)
-        else:
-            self.said.people = chunk.number or 0
-            seated = self._previous(self.chunks[self.at - 1]) in small.SEATED
-        self.said.facts.append(replace(chunk, kind="seats" if seated else "users"))
+        seats = self._promised(chunk.number or 0, -2)
+        self.said.facts.append(replace(chunk, kind="seats" if seats else "users"))
 
     def _deal(self, share: int, index: int) -> None:
         """Let so many of the things named last be what the relation there is about: "two at one wall and two at the other"."""
@@ -229,8 +224,7 @@ class Parser(Relating):
             return
         mention = self._mention(chunk)
         self.recent.append(mention)
-        if self.zone is not None and not mention.thing.spans[1:]:
-            self.zone.things.append(mention)
+        self._into_the_zone(chunk, mention)
         self.target = None
         self._note(chunk, mention)
         if chunk.det == "each" and self.group and self._previous(chunk) == "for":

@@ -286,10 +286,13 @@ class References(Spoken):
                     mention.thing.times = count * (2 if chunk.value == "flank" and mention.thing.number == 1 else 1)
         lined = places(objects, "wall") if chunk.value in ("wall", "on") else []
         several = not {"line", "lines", "lined", "lining"}.isdisjoint(chunk.adjectives)  # not "along the walls"
-        walls = next((to.number or 2 * (to.plural and several) for to in lined), 0)
+        walls = next((to.number or 2 * (to.plural and several) for to in lined if to.det != "all"), 0)
+        walls = next((self._number_of(to) for to in lined if to.det == "all"), walls)
         for thing in (mention.thing for mention in subjects):
             if walls and thing.plural and thing.number is None:
-                thing.number = walls * (2 if several or chunk.value == "wall" else 1)  # "bookshelves line two walls"
+                thing.number = walls * (
+                    2 if several or chunk.value == "wall" or thing.head in SEATS else 1
+                )  # "bookshelves line two walls"
         for mention in subjects if chunk.value == "rows" else ():
             mention.thing.rows = mention.thing.rows or chunk.rows  # "clothing racks in three rows"
         return subjects

@@ -46,12 +46,10 @@ class Relating(About):
         if chunk.measure is not None and chunk.measure.kind == "grid" and self.group:
             rows = int(chunk.measure.values[0])
             self.said.links.append(Link("rows", (self.group[-1],), (), chunk.start, chunk.end, rows=rows))
-        seated = bool(self.group) and self.group[-1].thing.head in (*TOPS, *SEATS)
-        by = ("for", "of") if seated else ("for",)  # "tables of six people", but no pictures of them
-        if chunk.kind == "people" and self.group and chunk.number and self._previous(chunk) in by:
-            self.group[-1].thing.people = chunk.number
-            if seated:
-                self.said.facts[-1:] = [chunk, replace(chunk, kind="seats")]
+        by = ("for", "of") if self._sat_at() else ("for",)  # "tables of six people", but no pictures of them
+        told = chunk.kind == "people" and chunk.number and self._previous(chunk) in by
+        if told and self._promised(chunk.number or 0, -3):
+            self.said.facts[-1:] = [chunk, replace(chunk, kind="seats")]
 
     def _on_with(self, chunk: Chunk) -> None:
         self.refusing = False
@@ -217,6 +215,12 @@ class Relating(About):
             held = self.holder or [m for m in self.subject if m not in subjects] or list(on[-1] if on else self.subject)
             chunk, objects = replace(chunk, value="on"), objects or list(held)
         chunk, objects = self._other_side(chunk, objects)
+        if (
+            chunk.value == "on"
+            and mentions(objects)
+            and [c.value for c in self.chunks[self.at - 3 : self.at - 1]] == ["side", "of"]
+        ):
+            chunk = replace(chunk, value="around" if all(one.sat_on for one in subjects) else "next")
         place = place_in(objects[:1])
         sides = place.name == "side" if place else chunk.value in ("flank", "oneside") and not objects
         last = self.said.links[-1] if self.said.links else None
@@ -345,19 +349,13 @@ class Relating(About):
             self.fronted = (chunk, list(objects))
             self.group, self.acted = [], []
         elif subjects:
+            subjects = self._listed_with(chunk.value, subjects, objects)
             objects = self._across_the_room(objects)
             there = self._walls(subjects, place) if (place := place_in(objects[:1])) else []
             subjects = subjects if there or place is None else self._at_a_place(chunk, subjects, place)
             self._link(replace(chunk, value="atwalls") if there else chunk, subjects, [*objects, *there])
             self.acted = subjects
             self.verb = False
-
-    def _at_a_place(self, chunk: Chunk, subjects: list[Mention], place: Place) -> list[Mention]:
-        """Return which of some things are at a place of the room: no tables with seats around them, and both that share a wall."""
-        if chunk.value == "wall":  # "two tables for eight and shelves along the walls"
-            subjects = [m for m in subjects if m.thing.head not in TOPS or not m.thing.promising] or subjects
-        alone = "same" in place.words and len(subjects) == 1 and not subjects[0].several
-        return self.recent[-2:] if alone else subjects  # "a wardrobe and a dresser on the same wall"
 
     def _between_the_last(self) -> list[Item]:
         """Return what faces another thing, and that, where it was said last: "two armchairs facing it and a table in between"."""

@@ -5,11 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
 
+from robolayout.scene import FLAT_HEIGHT
 from robolayout.words import _function_words as small
 from robolayout.words._chunk import NOTHING, Chunk
 from robolayout.words._lexicon import grammar
-from robolayout.words._said import Item, Link, Mention, NamedThing, Parsed, mentions, named, place_in, place_of
-from robolayout.words._ways import OTHER_SIDE, SLEPT_ON
+from robolayout.words._said import Item, Link, Mention, NamedThing, Parsed, Place, mentions, named, place_in, place_of
+from robolayout.words._ways import OTHER_SIDE, SEATS, SLEPT_ON, TOPS
 
 AXES = {
     **dict.fromkeys(("left", "right"), "across"),
@@ -93,6 +94,13 @@ class Spoken:
         self.group, self.subject, self.acted, self.holder = [], [], [], []
         self.having = False
 
+    def _into_the_zone(self, chunk: Chunk, mention: Mention) -> None:
+        """Note that a thing is in the part of the room that is spoken of; "the kitchen at the back and the sofa" leaves that."""
+        if self.zone is not None and self.zone.place and not self.zone.things and self._previous(chunk) == "and":
+            self.zone = None
+        if self.zone is not None and not mention.thing.spans[1:]:
+            self.zone.things.append(mention)
+
     def _for_what(self, chunk: Chunk) -> None:
         """Note what a part of the room is for of which nothing else is said: "a bedroom with an office area"."""
         alone = chunk.value == "room" and chunk.det == "a" and self._ahead().kind in ("", "stop", "and", "comma")
@@ -124,6 +132,20 @@ class Spoken:
         """Return the value of the chunk before this one."""
         index = self.chunks.index(chunk)
         return self.chunks[index - 1].value if index else ""
+
+    def _sat_at(self) -> bool:
+        """Return whether one sits on what was named last, or at it."""
+        return bool(self.group) and self.group[-1].thing.head in (*TOPS, *SEATS, "island")
+
+    def _promised(self, people: int, back: int) -> bool:
+        """Note for how many the thing named last is, or the room ("two armchairs, and seating for six"); return whether they sit there."""
+        seating = self._ahead(back).value
+        own = (self._ahead(back - 1).kind, self._ahead(back - 2).kind) == ("with", "thing")
+        if self.group and (own or seating != "seating"):
+            self.group[-1].thing.people = people
+            return self._sat_at()
+        self.said.people = people
+        return seating in small.SEATED
 
     def _skip(self) -> None:
         while self._ahead().kind in ("filler", "style"):
@@ -157,6 +179,41 @@ class Spoken:
             held = [m for m in earlier if holder is None or many or m.thing is not holder.thing]
             return self._several_meant(relation, held if len(held) > 1 else earlier, to)
         return self._kept(word, relation, own) or self._last(word, relation, earlier, to)
+
+    def _at_a_place(self, chunk: Chunk, subjects: list[Mention], place: Place) -> list[Mention]:
+        """Return which of some things are at a place of the room: no tables with seats around them, and both that share a wall."""
+        if chunk.value == "wall":  # "two tables for eight and shelves along the walls"
+            free = place.plural and subjects[-1].thing.head != "table"
+            off = [
+                m for m in subjects if m.thing.head in (("table",) if free else TOPS) and (free or m.thing.promising)
+            ]
+            subjects = [m for m in subjects if m not in off] or subjects
+        alone = "same" in place.words and len(subjects) == 1 and not subjects[0].several
+        return self.recent[-2:] if alone else subjects  # "a wardrobe and a dresser on the same wall"
+
+    def _side_or_wall(self, chunk: Chunk) -> Place:
+        """Return a place of the room; a long or short side is a wall, as are three sides, unless they are those of a table or bed."""
+        long = {"long", "short"} & {grammar().walls.get(word) for word in chunk.adjectives}
+        several = (chunk.number or 0) > 1 or chunk.det == "all"
+        own = (
+            any(m.sat_on for m in self.about)
+            if long
+            else any(thing.head in (*TOPS, "bed", "island") for thing in self.said.things)
+        )
+        wall = chunk.value == "side" and (long or several) and (not own or self._ahead(-1).kind == "room")
+        return replace(place_of(chunk), name="wall") if wall else place_of(chunk)
+
+    def _listed_with(self, relation: str, subjects: list[Mention], objects: Sequence[Item]) -> list[Mention]:
+        """Return what is at one side of what has it: "a sofa with a rug and a table in front of it"; chairs are around theirs."""
+        last = self.said.links[-1] if self.said.links else None
+        its = self.having and self._ahead(-1).kind == "pron" and named(objects) == named(self.holder)
+        if not its or last is None or last.relation != "with" or named(last.objects) != named(self.holder):
+            return subjects
+        beside = relation in ("next", "left", "right")
+        also = [m for m in last.subjects if m.thing.count == 1 and m.thing not in named(subjects)]
+        also = [m for m in also if any(kind.on_floor for kind in m.thing.noun.categories)]
+        also = [m for m in also if beside or m.thing.category.size[2] < FLAT_HEIGHT]
+        return [*also, *subjects] if beside or relation in ("front", "foot") else subjects
 
     def _last_of(self, heads: Sequence[str], own: set[NamedThing]) -> list[Mention]:
         """Return what was named last of things with some last words, `own` aside; nothing where there is none."""

@@ -162,10 +162,14 @@ class _RowMaker:
         """Return the row of a room, or of a part of the one that is laid out."""
         if words.lower().endswith(as_row.ZONES):
             return Unjudged(words, "function", "a part of the room", as_row.taste)
-        if chunk.det != "the" and chunk.value not in ("room", self.reading.room, *self.reading.joined):
+        same = (
+            chunk.det == "the" and words.split()[-1].lower() in grammar().parts
+        )  # "a deli ... in the middle of the shop"
+        if not same and chunk.value not in ("room", self.reading.room, *self.reading.joined):
             return as_row.unread(words, f"one room is laid out, the {self.reading.room}")
         guessed = self.reading.guessed and chunk is self.reading.placed
-        nearest = "the nearest room type to it," if guessed else "a"
+        article = "an" if chunk.value[0] in "aeio" else "a"
+        nearest = "the nearest room type to it," if guessed else article
         return Unjudged(words, "room type", f"{nearest} {chunk.value}", as_row.as_given)
 
     def _taste(self, word: str) -> Unjudged:

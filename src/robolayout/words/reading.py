@@ -80,7 +80,8 @@ class Reading:
         for chunk in rooms[first[0] + 1 :]:
             between = {word.text for word in self.words[last.end : chunk.start]}
             opened = between <= OPEN and not between.isdisjoint(("open", "opening", "opens"))
-            if not opened and (not between <= JOINING or (chunk.det == "the" and last is self.placed)):
+            told = chunk.det == "the" and last is self.placed and "with" not in between
+            if not opened and (not between <= JOINING or told):
                 break
             found, last = [*found, chunk.value], chunk
         return list(dict.fromkeys(name for name in found if name in SHARING and name != self.room))
@@ -278,7 +279,9 @@ def _place_named(chunks: Sequence[Chunk], words: Sequence[Token]) -> tuple[int, 
         other = part and (chunk.value not in ("room", "corner", "middle") or said == last)
         follows = chunks[i + 1].kind if i + 1 < len(chunks) else "stop"
         listed = follows == "comma" and chunk.noun is not None and not chunk.noun.guessed  # "a toilet, a sink"
-        unknown = chunk.noun is not None and chunk.noun.kind.startswith("unknown") and follows in ("with", "colon")
+        unknown = chunk.noun is not None and chunk.noun.kind.startswith("unknown")
+        last = next((place for place in places if unknown and last.endswith(place)), last)  # "a ballroom"
+        unknown = unknown and follows in ("with", "colon")
         wrong = other or listed or (chunk.number or 1) > 1 or follows not in AFTER_A_PLACE
         if wrong or not (last in places or unknown):
             return None

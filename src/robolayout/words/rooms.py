@@ -10,7 +10,7 @@ from dataclasses import dataclass, field, replace
 from functools import cache
 from importlib.resources import files
 
-LISTS = ("words", "size", "floors", "zones")
+LISTS = ("words", "size", "floors", "zones", "telling")
 """Fields of a room type that are lists in the file."""
 
 SHARED, OBLONG = 0.85, 1.35
@@ -29,6 +29,10 @@ class RoomType:
     person: Mapping[str, int] = field(default_factory=dict[str, int])  # what each person brings along
     zones: tuple[Mapping[str, int], ...] = ()  # what a large room has besides, one group after the other
     of: str = ""  # the wider room type that it is counted as
+    telling: tuple[str, ...] = ()  # things each of which says that such a room is meant where none is named
+    by_name: bool = (
+        False  # whether only its name and what tells of it say that it is meant, not what else is usual in it
+    )
     people: int = 0  # how many people there are if nobody says
     couple: bool = False  # whether two adults need nothing besides what always belongs in
     tables: str = ""  # the table that the chairs of this room stand at, if they need one

@@ -27,6 +27,7 @@ class Laying:
     foot: float = 0.3  # part of a thing's depth by which a rug lies before its middle, if it is to lie toward its front
     least_under: float = 0.01  # square metres of a rug that lie under its owner at the least
     between: float = 0.4  # metres between two mats
+    landing: float = 0.8  # metres before a door in the middle of which its mat lies
     wanted: float = 0.3  # weight of floor that others are used from, against that of floor which is covered
     on_others: float = 20.0  # cost of a mat that lies wholly on another one, by the root of the share that does
     most_covered: float = 0.02  # share of a block of mats that may lie under things before they are laid one by one
@@ -45,7 +46,20 @@ def lay_rugs(site: Site, names: Sequence[str]) -> None:
         else:
             site.settle(name, Spot(_fitted(site, name, _at_owner(site, name, owner), owner), "rug"))
     for equal in free.values():
-        _lay_free(site, equal)
+        if len(equal) == 1 and site.room.doors and site.wants[equal[0]].weights.get("by_door", 0.0) > 0.0:
+            site.settle(equal[0], Spot(_fitted(site, equal[0], _in_a_door(site)), "rug"))
+        else:
+            _lay_free(site, equal)
+
+
+def _in_a_door(site: Site) -> Pose:
+    """Return where a mat lies before the first door, along it."""
+    door = site.room.doors[0]
+    (x, y), normal = (
+        np.mean(site.room.landing(door, LAYING.landing), axis=0).tolist(),
+        site.room.walls[door.wall].normal,
+    )
+    return x, y, math.atan2(normal[1], normal[0])
 
 
 def _at_owner(site: Site, name: str, owner: str) -> Pose:

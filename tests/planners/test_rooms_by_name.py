@@ -1,0 +1,162 @@
+"""Rooms of which little more than a name or a thing is said, and seats for so many, measured on what stands there."""
+
+from __future__ import annotations
+
+import math
+from collections import Counter
+
+import pytest
+from said_rooms import made, of
+
+import robolayout as rl
+from robolayout.words import read_rooms
+
+
+def there(text: str) -> Counter[str]:
+    scene, _ = rl.scene_from_sentence(text)
+    return Counter(asset.name.rsplit("-", 1)[0] for asset in scene.assets)
+
+
+@pytest.mark.parametrize(
+    ("text", "things"),
+    [
+        ("a break room", {"dining_table": 1, "chair": 4, "fridge": 1, "kitchen_counter": 1}),
+        ("a dorm room for two", {"single_bed": 2, "desk": 2}),
+        ("a hostel room", {"bunk_bed": 2, "locker": 4}),
+        ("a prison cell", {"single_bed": 1, "toilet": 1, "washbasin": 1}),
+        ("a kindergarten", {"kids_table": 3, "kids_chair": 12}),
+        ("an operating room", {"examination_table": 1, "patient_monitor": 1}),
+        ("a laundromat", {"washing_machine": 5, "clothes_dryer": 4}),
+        ("an art studio", {"easel": 2}),
+        ("a recording studio", {"desk": 1, "speaker": 2}),
+        ("a locker room", {"locker": 6, "bench": 2}),
+        ("a wine cellar", {"wine_rack": 4}),
+        ("a boutique", {"clothes_rack": 4, "mannequin": 2}),
+        ("a therapy room", {"sofa": 1, "armchair": 1}),
+        ("a call center", {"desk": 6, "office_chair": 6}),
+    ],
+)
+def test_a_room_of_which_only_the_name_is_said_has_what_it_is_for(text: str, things: dict[str, int]) -> None:
+    found = there(text)
+    assert {kind: found[kind] for kind in things} == things
+
+
+@pytest.mark.parametrize(
+    ("text", "room"),
+    [
+        ("a bathtub", "bathroom"),
+        ("a crib", "children's room"),
+        ("a pool table", "game room"),
+        ("a washing machine", "laundry room"),
+        ("a desk with a lamp and a chair in front of it", "office"),  # a computer room with a server rack
+        ("an armchair with a lamp", "living room"),  # a care home, for an older adult with a walker
+        ("a hospital bed", "hospital room"),
+        ("a plant", "room"),
+        ("a mirror and a dresser", "bedroom"),  # a yoga studio
+        ("lockers along the wall", "dressing room"),  # an open plan office
+        ("a vending machine and a bench", "room"),
+        ("a ballroom", "room"),  # a box of that name
+    ],
+)
+def test_one_thing_tells_of_its_room(text: str, room: str) -> None:
+    assert rl.scene_from_sentence(text)[1].room_type == room
+
+
+def test_what_tells_of_a_room_tells_of_no_other_one() -> None:
+    told = Counter(kind for room in read_rooms().rooms.values() for kind in room.telling)
+    assert max(told.values()) == 1
+
+
+@pytest.mark.parametrize(
+    ("text", "things"),
+    [
+        ("a living room with seating for eight", {"sofa": 2, "armchair": 2}),
+        (
+            "a living room with a sofa and two armchairs, seating for six",
+            {"sofa": 1, "armchair": 2, "chair": 0},
+        ),  # and 12 chairs
+        ("a kitchen with an island and seating for four", {"bar_stool": 4, "chair": 0}),
+        ("a kitchen with an island with seating for four", {"bar_stool": 4, "chair": 0}),
+        ("a kitchen for four", {"chair": 4, "dining_table": 1}),  # four chairs and no table
+        ("a living room with a dining area", {"chair": 4, "dining_table": 1}),  # eight chairs
+        ("a classroom with a board", {"whiteboard": 0, "board": 1}),  # two boards
+    ],
+)
+def test_there_are_seats_for_as_many_as_are_said_and_something_to_sit_at(text: str, things: dict[str, int]) -> None:
+    found = there(text)
+    assert {kind: found[kind] for kind in things} == things
+
+
+def test_two_sofas_are_no_wider_for_seats_that_are_said_of_the_room() -> None:
+    scene, _ = rl.scene_from_sentence("a living room with two sofas and seating for six")
+    assert scene.by_name["sofa-0"].size[1] < 2.5
+
+
+def test_a_circle_of_chairs_is_one() -> None:
+    result = made("a circle of ten chairs")
+    places = [result.layout[name] for name in of(result, "chair")]
+    x, y = (sum(values) / 10 for values in zip(*((pose.x, pose.y) for pose in places), strict=True))
+    away = [math.dist((x, y), (pose.x, pose.y)) for pose in places]
+    assert len(places) == 10 and min(away) > 1.0 and max(away) - min(away) < 0.3
+
+
+@pytest.mark.parametrize(
+    "text", ["a sofa with a rug in front of it", "a sofa with a rug and coffee table in front of it"]
+)
+def test_a_rug_before_a_sofa_lies_under_its_table(text: str) -> None:
+    result = made(text)
+    rug, table = (result.layout[name] for name in ("rug-0", "coffee_table-0"))
+    assert result.report.ok and math.dist((rug.x, rug.y), (table.x, table.y)) < 0.4
+
+
+def test_what_is_beside_a_seat_stands_there_and_not_on_it() -> None:
+    result = made("a sofa with a lamp and a plant beside it")
+    sofa = result.layout["sofa-0"]
+    places = [result.layout[name] for name in ("floor_lamp-0", "plant-0")]
+    assert result.report.ok and all(math.dist((at.x, at.y), (sofa.x, sofa.y)) < 2.2 for at in places)
+
+
+def test_a_door_mat_lies_before_the_door() -> None:
+    result = made("a hallway with a door mat")
+    room, mat = result.scene.room, result.layout["door_mat-0"]
+    at = room.walls[room.doors[0].wall].point(room.doors[0].center)
+    assert math.dist(at, (mat.x, mat.y)) < 0.6
+
+
+@pytest.mark.parametrize(
+    ("text", "kind", "walls"),
+    [
+        ("a library with four tables and bookshelves along all walls", "bookshelf", 4),  # two at one wall, met
+        ("a waiting room with chairs on two sides and a reception desk opposite the door", "chair", 2),
+    ],
+)
+def test_things_stand_at_as_many_walls_as_are_said(text: str, kind: str, walls: int) -> None:
+    result = made(text)
+    x0, y0, x1, y1 = result.scene.room.bounds
+    at = {
+        min(range(4), key=lambda k: (pose.x - x0, pose.y - y0, x1 - pose.x, y1 - pose.y)[k])
+        for pose in (result.layout[name] for name in of(result, kind))
+    }
+    assert result.report.ok and len(at) == walls
+
+
+def test_a_screen_at_the_short_end_hangs_on_a_short_wall() -> None:
+    result = made("a conference room with a table for twelve and a screen at the short end")
+    (x0, y0, x1, y1), screen = result.scene.room.bounds, result.layout["projection_screen-0"]
+    along, across = (x1 - x0, y1 - y0)
+    ends = (screen.x - x0, x1 - screen.x) if along > across else (screen.y - y0, y1 - screen.y)
+    assert result.report.ok and min(ends) < 0.2
+
+
+def test_a_mirror_wall_is_a_large_mirror() -> None:
+    scene, _ = rl.scene_from_sentence("a home gym with a treadmill facing a mirror wall")
+    assert scene.by_name["mirror_wall-0"].size[1] == pytest.approx(3.0)
+
+
+def test_the_kitchen_of_a_living_room_is_there_and_where_it_is_to_be_is_given_back() -> None:
+    scene, _ = rl.scene_from_sentence(
+        "an open plan living room with the kitchen at the back and the sofa facing the TV"
+    )
+    assert {"stove-0", "sofa-0", "fridge-0"} <= scene.by_name.keys()
+    rows = rl.generate(scene, seed=0).report.asked
+    assert [row.verdict for row in rows if "back" in row.words] == ["not understood"]
