@@ -140,6 +140,46 @@ def test_things_stand_at_as_many_walls_as_are_said(text: str, kind: str, walls: 
     assert result.report.ok and len(at) == walls
 
 
+@pytest.mark.parametrize(
+    ("text", "kinds"),
+    [
+        ("a room with three sofas around a coffee table", ("sofa",)),  # askew, one behind the other
+        ("four sofas in a square around a coffee table", ("sofa",)),
+        ("a lounge with two sofas and two armchairs around a coffee table", ("sofa", "armchair")),
+    ],
+)
+def test_sofas_around_a_table_are_each_at_a_side_of_it_and_look_there(text: str, kinds: tuple[str, ...]) -> None:
+    result = made(text)
+    table = result.layout["coffee_table-0"]
+    seats = [result.layout[name] for kind in kinds for name in of(result, kind)]
+    sides = {round(math.atan2(*reversed(table.seen(seat.at))) / (math.pi / 2)) % 4 for seat in seats}
+    turns = [abs(math.remainder(seat.yaw - math.atan2(table.y - seat.y, table.x - seat.x), math.tau)) for seat in seats]
+    assert result.report.ok and len(sides) == len(seats) and max(turns) < math.radians(40)
+
+
+@pytest.mark.parametrize(
+    ("text", "name"),
+    [
+        ("a kitchen with an island in the middle", "kitchen_island-0"),
+        ("a workshop with a workbench in the middle of the room", "workbench-0"),
+    ],
+)
+def test_what_is_asked_into_the_middle_stands_right_there_where_it_can(text: str, name: str) -> None:
+    result = made(text)
+    x0, y0, x1, y1 = result.scene.room.bounds
+    assert math.dist(result.layout[name].at[:2], ((x0 + x1) / 2, (y0 + y1) / 2)) < 0.5
+
+
+def test_a_desk_on_the_opposite_side_stands_at_the_wall_across_from_that_of_the_bed() -> None:
+    result = made("a bedroom with the bed against the left wall and a desk on the opposite side")
+    x0, _, x1, _ = result.scene.room.bounds
+    assert result.report.ok and result.layout["bed-0"].x < (x0 + x1) / 2 and x1 - result.layout["desk-0"].x < 0.6
+
+
+def test_what_goes_with_a_thing_that_is_refused_is_not_there() -> None:
+    assert not there("a living room with no TV")["tv_stand"]
+
+
 def test_a_screen_at_the_short_end_hangs_on_a_short_wall() -> None:
     result = made("a conference room with a table for twelve and a screen at the short end")
     (x0, y0, x1, y1), screen = result.scene.room.bounds, result.layout["projection_screen-0"]

@@ -56,6 +56,9 @@ class Added:
         laid = {mention.thing.noun.kind for link in links for mention in link.subjects}
         borne = {kind for kind in laid if "floor" not in wishes.kinds[kind].places}
         self.spared = wishes.reading.unwanted.union(*map(self._companions, borne))  # their bearer is said
+        self.spared |= {
+            other for name in wishes.reading.unwanted if name in wishes.kinds for other in self._companions(name)
+        }
         self.spared |= self._unseen() | self._crowded_out()
         formed = [mention for link in said if link.relation in SHAPES for mention in link.subjects]
         if formed:  # the middle of the room is theirs, and seats in a circle are at no desk

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
-from robolayout.constraints import AssetRef, Relation
+from robolayout.constraints import AssetRef, PointRef, Relation
 from robolayout.constraints._sides import SideRelation
 from robolayout.constraints.against_wall import AgainstWall
 from robolayout.constraints.align_with import AlignWith
@@ -178,6 +178,13 @@ def lain_at(demands: Iterable[Demand]) -> dict[str, str]:
         for name in one.asset_names()[:1]:
             at.setdefault(name, set()).add(to)
     return {name: others[0] for name, (others, *more) in at.items() if others and not more}
+
+
+def in_the_middle(demands: Iterable[Demand]) -> set[str]:
+    """Return the only thing that is asked into the middle of the room, which is rather right there than only near it."""
+    within = (one for one in said(demands) if isinstance(one, DistanceConstraint) and one.min_distance is None)
+    found = {one.a.name for one in within if isinstance(one.b, PointRef)}
+    return found if len(found) == 1 else set()
 
 
 def open_beside(demands: Iterable[Demand]) -> dict[str, str]:

@@ -25,6 +25,7 @@ class Saying:
     only: float = 8.0
     """Weights of the first of several ways of standing, where the middle of the room is as good and where it is a last resort."""
     joined: float = 1.0  # weight of standing at what a thing joins, where it may stand elsewhere
+    middle: float = 3.0  # weight of standing right in the middle of the room, where the words ask something to be there
     within: float = 0.06
     beyond: float = 0.15
     """Metres by which a gap may be smaller and larger than what is usual."""
@@ -53,6 +54,7 @@ class Writer:
     beside: Mapping[str, str]  # what keeps one of its sides clear, and the other side
     # what the words hang something above on the wall, and what that is: nothing else hangs there
     below: Mapping[str, str]
+    middle: Set[str]  # what is asked into the middle of the room
     lain: Mapping[str, str]  # what is only asked to be before, beside or near one other thing, and that
 
     def order(self) -> list[str]:
@@ -244,6 +246,8 @@ class Writer:
         prefer, room = dict(item.role.prefer), self.scene.room
         if _modes(item)[0] == "corner":
             prefer["corner"] = prefer.get("corner", 0.0) + SAYING.first
+        if item.name in self.middle:
+            prefer["middle"] = SAYING.middle
         longest = max(room.walls, key=lambda w: (round(w.length, 3), -w.index))
         values = {
             "a": self._name(item.name),

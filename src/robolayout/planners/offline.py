@@ -13,6 +13,7 @@ from robolayout.planners._asked import (
     formed,
     held_by_walls,
     hung_over,
+    in_the_middle,
     join_as_asked,
     lain_at,
     looked_at,
@@ -77,7 +78,7 @@ class OfflinePlanner:
         about = set(request.group.items) if request.group else set(cast)
         words = request.asked
         first, walled = needing_room(cast, words), held_by_walls(words)
-        turned = looked_at(words), open_beside(words), hung_over(scene, words), lain_at(words)
+        turned = looked_at(words), open_beside(words), hung_over(scene, words), in_the_middle(words), lain_at(words)
         writer = Writer(scene, cast, subjects(words), formed(words), first, walled, *turned)
         names = {written: name for name, written in scene.expressions.items()}
         text = ["# Walls: " + "; ".join(_wall(wall, scene.room) for wall in scene.room.walls)]

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from robolayout.constraints import AssetRef, Relation
 from robolayout.words import _ways as ways_of
 from robolayout.words._places import Asked, AtPlaces
 from robolayout.words._rows import ToldRows
-from robolayout.words.demands import Demand, single, stated
+from robolayout.words.demands import Demand, by_ways, single, stated
+
+SIDES_OF_A_LOUNGE = ("behind", "left_of", "right_of", "in_front_of")
+"""Sides of a low table at which sofas stand that are around it, in their order."""
 
 
 class AtSides(AtPlaces):
@@ -16,6 +19,9 @@ class AtSides(AtPlaces):
 
     opposed: Sequence[tuple[str, str]]
     """Each two that are asked to face each other."""
+
+    lounging: Mapping[str, tuple[str, tuple[float, float]]]
+    """Several sofas, with armchairs, that are around a low table: at which side of it, and how far from it, each is."""
 
     told: ToldRows
     """What is said of rows and shapes."""
@@ -33,6 +39,30 @@ class AtSides(AtPlaces):
             for first, second in (map(AssetRef, two) for two in pairs)
             for one in (("symmetric_pair", first, second, b), ("near", first, b, ways_of.LOOKING))
         )
+
+    def _lounging(self, around: Iterable[Asked]) -> dict[str, tuple[str, tuple[float, float]]]:
+        """Return at which side of what they are around, and how far from it, sofas and their armchairs are: in a U, or all round."""
+        found = dict[str, tuple[str, tuple[float, float]]]()
+        for it in around:
+            sofas, armchairs = ([a for a in it.subjects if self._is(a, (head,))] for head in ("sofa", "armchair"))
+            seats = [*sofas, *armchairs]
+            if len(sofas) > 1 and len(seats) <= len(SIDES_OF_A_LOUNGE) and len(it.others) == 1:
+                gaps = ways_of.AT_A_LOUNGE if len(seats) < len(SIDES_OF_A_LOUNGE) else ways_of.AROUND_A_LOUNGE
+                found |= {a: (side, gaps) for a, side in zip(seats, SIDES_OF_A_LOUNGE, strict=False)}
+        return found
+
+    def _around_each(self, a: str, b: str) -> Demand:
+        """Near it and turned to it; several sofas each at a side of their table, the first ones across from each other or in a U."""
+        if self._is(b, ways_of.WATCHED) and self._is(a, ways_of.SEATS):
+            return by_ways(ways_of.AROUND_WATCHED, a, b)
+        if a in self.lounging:
+            side, gaps = self.lounging[a]
+            turned = stated("align_with", AssetRef(a), AssetRef(b), ways_of.TOWARDS[side])
+            return Demand(((stated(side, AssetRef(a), AssetRef(b), *gaps), turned),))
+        gap = ways_of.NEAR if self._is(a, ("armchair", "sofa", "bag")) else ways_of.BESIDE
+        near = stated("near", AssetRef(a), AssetRef(b), gap)
+        turns = not self._asset(a).is_flat and self._is(a, ways_of.SEATS)
+        return Demand(((near, stated("point_towards", AssetRef(a), AssetRef(b))) if turns else (near,),))
 
     def _oneside(self, it: Asked) -> Iterator[Demand]:
         """At a side of a thing, whichever; seats all at one side of a table, the longer ones first."""

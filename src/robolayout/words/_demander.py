@@ -58,6 +58,7 @@ class Demander(AtSides):
         self.between = {b: min(self._asset(a).size[:2]) for it in amid for a in it.subjects for b in it.others}
         mutual = [it.subjects for link, it in asked if link.relation == "mutual"]
         self.opposed = [two for names in mutual for two in zip(names[::2], names[1::2], strict=False)]
+        self.lounging = self._lounging(it for link, it in asked if link.relation == "around")
         self.told = ToldRows(scene, [(link, it.subjects, it.others) for link, it in asked])
 
     def demands(self, link: Link) -> tuple[Demand, ...]:
@@ -273,14 +274,6 @@ class Demander(AtSides):
 
     def _into_a_mirror(self, a: str, b: str) -> bool:
         return self._is(a, ways_of.SEATS) and self._is(b, ("mirror",))
-
-    def _around_each(self, a: str, b: str) -> Demand:
-        if self._is(b, ways_of.WATCHED) and self._is(a, ways_of.SEATS):
-            return by_ways(ways_of.AROUND_WATCHED, a, b)
-        gap = ways_of.NEAR if self._is(a, ("armchair", "sofa", "bag")) else ways_of.BESIDE
-        near = stated("near", AssetRef(a), AssetRef(b), gap)
-        turns = not self._asset(a).is_flat and self._is(a, ways_of.SEATS)
-        return Demand(((near, stated("point_towards", AssetRef(a), AssetRef(b))) if turns else (near,),))
 
     def _opposite(self, it: Asked) -> Iterator[Demand]:
         """Across from a thing, seats that look there side by side; from a place, looking at it."""

@@ -188,19 +188,25 @@ class Spoken:
                 m for m in subjects if m.thing.head in (("table",) if free else TOPS) and (free or m.thing.promising)
             ]
             subjects = [m for m in subjects if m not in off] or subjects
+        if chunk.value == "on" and place.name == "wall":  # "a rack, magazines and a TV on the wall"
+            subjects = [m for m in subjects if m.thing.places != ("object",)] or subjects
         alone = "same" in place.words and len(subjects) == 1 and not subjects[0].several
         return self.recent[-2:] if alone else subjects  # "a wardrobe and a dresser on the same wall"
 
     def _side_or_wall(self, chunk: Chunk) -> Place:
         """Return a place of the room; a long or short side is a wall, as are three sides, unless they are those of a table or bed."""
         long = {"long", "short"} & {grammar().walls.get(word) for word in chunk.adjectives}
-        several = (chunk.number or 0) > 1 or chunk.det == "all"
+        last = (
+            self.said.links[-1] if self.said.links else None
+        )  # "the bed against a wall and a desk on the opposite side"
+        across = {"opposite", "opposing", "other"} & {*chunk.adjectives} and last and place_in(last.objects, "wall")
+        several = across or (chunk.number or 0) > 1 or chunk.det == "all"
         own = (
             any(m.sat_on for m in self.about)
             if long
             else any(thing.head in (*TOPS, "bed", "island") for thing in self.said.things)
         )
-        wall = chunk.value == "side" and (long or several) and (not own or self._ahead(-1).kind == "room")
+        wall = chunk.value == "side" and (long or several) and (not own or across or self._ahead(-1).kind == "room")
         return replace(place_of(chunk), name="wall") if wall else place_of(chunk)
 
     def _listed_with(self, relation: str, subjects: list[Mention], objects: Sequence[Item]) -> list[Mention]:

@@ -16,6 +16,9 @@ BESIDE, NEAR, AT_TABLE, AT_WINDOW, AT_DOOR = 0.6, 1.2, 0.5, 0.6, 1.4
 CORNER_BY, FREE_IN_CORNER = 0.9, 1.5
 """Metres from an end of a window to what is in the corner by it, and from a corner to what is in it and touches no wall."""
 
+AT_A_LOUNGE, AROUND_A_LOUNGE = (0.25, 0.7), (0.25, 1.4)
+"""Metres between a low table and the sofas at some of its sides, or at all of them, so that one gets to it."""
+
 TOUCHING, INTO, KNEES = 0.1, (0.5, 0.9), 0.5
 """Metres between the backs of desks at which people face each other, before a mirror into which somebody looks, and between seats
 that face each other."""
