@@ -176,6 +176,49 @@ def test_a_desk_on_the_opposite_side_stands_at_the_wall_across_from_that_of_the_
     assert result.report.ok and result.layout["bed-0"].x < (x0 + x1) / 2 and x1 - result.layout["desk-0"].x < 0.6
 
 
+def test_one_on_the_other_side_of_a_table_is_no_chair_on_another() -> None:
+    result = made("a police interview room with a table, two chairs on one side and one on the other")
+    table = result.layout["dining_table-0"]
+    at = [table.seen(result.layout[name].at) for name in of(result, "chair")]
+    sides = [
+        min(sum(x > 0 for x, _ in at), sum(x < 0 for x, _ in at)),
+        min(sum(y > 0.3 for _, y in at), sum(y < -0.3 for _, y in at)),
+    ]
+    assert result.report.ok and len(at) == 3 and 1 in sides
+    assert all(result.layout[name].z < 0.6 for name in of(result, "chair"))
+
+
+@pytest.mark.parametrize(
+    ("text", "kind", "count"),
+    [
+        ("a plant in the left corner and one in the right corner", "plant", 2),
+        ("a desk near the window and one near the door", "desk", 2),
+        ("a hotel lobby with armchairs in groups of three", "armchair", 6),
+        ("an airport lounge with four groups of armchairs", "armchair", 12),  # four
+        ("a shop with shelves along the walls", "shop_shelf", 4),
+    ],
+)
+def test_as_many_are_there_as_the_words_tell_of(text: str, kind: str, count: int) -> None:
+    assert there(text)[kind] == count
+
+
+def test_groups_of_chairs_are_circles_apart_from_each_other() -> None:
+    result = made("two groups of four chairs")
+    places = [result.layout[name].at for name in sorted(of(result, "chair"))]
+    middles = [tuple(sum(at[k] for at in part) / 4 for k in (0, 1)) for part in (places[:4], places[4:])]
+    away = [
+        math.dist(at[:2], middle) for part, middle in zip((places[:4], places[4:]), middles, strict=True) for at in part
+    ]
+    assert result.report.ok and math.dist(*middles) > 1.5 * max(away)
+
+
+def test_chairs_stay_at_their_desks_where_the_middle_is_to_be_open() -> None:
+    result = made("an office with four desks along the walls and open space in the middle")
+    desks = [result.layout[name].at[:2] for name in of(result, "desk")]
+    away = [min(math.dist(result.layout[name].at[:2], at) for at in desks) for name in of(result, "office_chair")]
+    assert len(away) == 4 and max(away) < 1.2
+
+
 def test_what_goes_with_a_thing_that_is_refused_is_not_there() -> None:
     assert not there("a living room with no TV")["tv_stand"]
 

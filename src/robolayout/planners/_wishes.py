@@ -318,8 +318,12 @@ def _settle_number(thing: NamedThing, wishes: RoomWishes) -> None:
     said = thing.number is not None or thing.rows or thing.bound or thing.times > 1 or not thing.plural
     name, room, crowd = wishes.kind(thing), wishes.room, thing.people > AT_ONE
     about = [link for link in wishes.reading.parsed.links if thing in named(link.subjects)]
-    if said or (not crowd and any(isinstance(item, Place) for link in about for item in link.objects)):
-        return  # "chairs along the wall" are some of them
+    if said:
+        return
+    if not crowd and any(isinstance(item, Place) for link in about for item in link.objects):
+        usual = room.base.get(name, 0)  # "chairs along the wall" are some of those who come
+        thing.number = usual if usual > thing.count else None
+        return
     if crowd:  # "tables for twenty": small ones in a cafe, large ones elsewhere
         thing.number = math.ceil(thing.people / (room.at_table if name == room.tables else AT_ONE))
         thing.people = math.ceil(thing.people / thing.number)
@@ -327,6 +331,9 @@ def _settle_number(thing: NamedThing, wishes: RoomWishes) -> None:
     people = wishes.reading.people or room.people
     at_tables = math.ceil(people / (thing.people or room.at_table)) if name == room.tables else 0
     formed = IN_A_SHAPE if any(link.relation in SHAPES for link in about) else 0
+    formed = max(
+        [formed, *(2 * link.rows for link in about if link.relation == "groups")]
+    )  # "armchairs in groups of three"
     usual = max(at_tables or room.person.get(name, 0) * people, room.base.get(name, 0), formed)
     thing.number = usual if usual > thing.count else None
 

@@ -268,14 +268,19 @@ def _blocks(wishes: RoomWishes) -> Iterator[tuple[float, float]]:
             wide = sum(count * width for count, _, width, _ in sizes) + SIZES.around
             tall = max(height for *_, height in sizes) > SIZES.low
             yield wide, wide if tall else 0.0  # tall things need a wall without a window
-        for thing in named(link.subjects) if link.relation in SHAPES else ():
+        grouped = link.relation == "groups" and link.rows > 2
+        for thing in named(link.subjects) if link.relation in SHAPES or grouped else ():
             kind = wishes.kind(thing)
             depth, width, _ = wishes.kinds[kind].size
-            apart = SIZES.apart[link.relation == "circle"]
-            slots = shape_slots(SHAPES[link.relation], max(thing.count, 3), depth, width, apart)
+            apart = SIZES.apart[link.relation == "circle" or grouped]
+            shape = SHAPES.get(link.relation, "circle")
+            slots = shape_slots(shape, max(link.rows if grouped else thing.count, 3), depth, width, apart)
             round_it = max(depth, width) + 2 * SIZES.around + SIZES.walkway * kind.endswith(("desk", "table"))
             wide, deep = (max(at[k] for at in slots) - min(at[k] for at in slots) + round_it for k in (1, 0))
             before = any(k.relation in ("facing", "front") and thing in named(k.subjects) for k in links)
+            if grouped:  # each a circle of seats, in two rows
+                yield math.ceil(thing.count / link.rows / 2) * wide, min(2, thing.count // link.rows) * deep
+                continue
             yield wide, deep + SIZES.before * before
             yield wide * before, wide * before  # what is before it may be at any wall
         for thing in named(link.subjects) if link.relation == "cleared" else ():

@@ -75,7 +75,8 @@ def without_noun(
     nouns = [c for c in nouns if not told or c.plural or c.number or c.kind == "thing"]  # "the upper one" is no corner
     led = [c for before, c in pairwise(found) if before.kind == "rel" and c in nouns]
     alike = [c for c in nouns if c.noun is not None and looks & {*c.adjectives, *c.noun.said.split()}]
-    leads = [c.kind for c in found[-1:]] == ["rel"] and [c.value for c in found[-2:-1]] != ["one"]
+    sided = any({"side", "left", "right"} & {*c.adjectives} for c in found if c.kind == "rel")
+    leads = [c.kind for c in found[-1:]] == ["rel"] and (sided or [c.value for c in found[-2:-1]] != ["one"])
     again = [c for c in nouns if new and told and sum(c.noun is other.noun for other in found) > 1]  # "and a low one"
     last = (alike or again or [c for c in nouns if (c in led) == leads] or nouns or [None])[-1]
     many = " ones " in match.group() or picks in ("others", "rest", "other half")
@@ -84,7 +85,6 @@ def without_noun(
     det = "other" if (picks or "").removesuffix(" half") in REST else det
     side = words[end + 2] if words[end : end + 2] == ["on", "the"] and end + 2 < len(words) else ""
     told, end = (side, end + 3) if one is None and not picks and side in ("left", "right") else (told, end)
-    sided = any({"side", "left", "right"} & {*c.adjectives} for c in found if c.kind == "rel")
     if leads and picks == "other" and sided:
         return Chunk("part", at, end, "side", det="other")  # "stools on one side, the stove on the other"
     if last is None:

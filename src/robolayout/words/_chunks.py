@@ -227,6 +227,8 @@ class Chunker(ClosedWords):
             return ("", count * each if each else None, "", rows, 4 if each else 3)
         if count and each and grouped in (*small.SETS, *small.GROUPS):
             return ("", count * each, "", -each * (grouped in small.GROUPS), 4)  # "six groups of four desks"
+        if count and count > 1 and grouped in small.GROUPS and rest[1:2] == ["of"]:
+            return ("", count * ROWS, "vague", -ROWS, 3)  # "four groups of armchairs"
         if word in ("each", "every") and rest[0] in ("one", "of"):
             return ("each", None, "", 0, 3 if rest[0] == "one" else 2)
         if rest[0] != "of":
@@ -236,7 +238,7 @@ class Chunker(ClosedWords):
             return ("", 2 * each, "vague", -each, 3)  # "clusters of four desks"
         if word.removesuffix("s") in small.SETS and not (word == "wall" and rest[1:2] and rest[1] in small.DETERMINERS):
             twos = 2 * (number or 1) if word.startswith(("pair", "couple")) else None
-            return ("", twos, "", ROWS if word == "rows" and number is None else 0, 2)
+            return ("", twos, "", SOME if word == "rows" and number is None else 0, 2)
         if word in ("both", "all"):
             return ("all", None, "", 0, 2)
         return ("one", count, "", 0, 2) if count and {*rest[1:2]} & {"the", "these", "those", "his", "her"} else None

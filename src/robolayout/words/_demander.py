@@ -10,6 +10,7 @@ from itertools import pairwise
 
 from robolayout.constraints import AssetRef, PointRef, Relation, WallRef
 from robolayout.constraints.between import BetweenTwo
+from robolayout.constraints.in_shape import InShape
 from robolayout.scene import Scene
 from robolayout.words import _ways as ways_of
 from robolayout.words._at_sides import AtSides
@@ -361,10 +362,14 @@ class Demander(AtSides):
     _halfcircle = _ushape = _circle
 
     def _groups(self, it: Asked) -> Iterator[Demand]:
-        """Some here, some there: desks with their backs to each other, others near each other."""
+        """Some here, some there: desks with their backs to each other, seats in circles, others near each other."""
         for part in self.told.groups(it.subjects):
-            desks = self._is(part[0], ("desk",)) and alike(self.scene, part)
-            yield from [in_rows(part, min(2, len(part) // 2), "paired")] if desks else self._huddle(Asked(part))
+            if self._is(part[0], ("desk",)) and alike(self.scene, part):
+                yield in_rows(part, min(2, len(part) // 2), "paired")
+            elif self._is(part[0], ways_of.SEATS) and len(part) > 2 and alike(self.scene, part):
+                yield single(InShape(tuple(map(AssetRef, part)), "circle"))
+            else:
+                yield from self._huddle(Asked(part))
 
     _shares = _groups
 

@@ -11,7 +11,7 @@ from dataclasses import replace
 from itertools import takewhile
 
 from robolayout.words import _function_words as small
-from robolayout.words._chunk import SOME, Chunk
+from robolayout.words._chunk import ROWS, SOME, Chunk
 from robolayout.words._leftover import leftover
 from robolayout.words._lexicon import grammar
 from robolayout.words._relations import AIDS, Relating
@@ -126,10 +126,11 @@ class Parser(Relating):
         each = each or any(chunk.det == "each" for chunk in self.chunks[index + 1 : index + 2])
         last = (self.group or self.before)[-1:]
         more = self.chunks[self.at - 2].kind == "and" and last == self.acted and last[:1] and last[0].pick is None
-        if more and self.said.links and last[0].thing.number and last[0].thing not in self.dealt:
-            k = self.said.links[-1]  # "two before it and one behind it"
-            self.dealt[last[0].thing] = last[0].thing.number
-            own = Mention(last[0].thing, slice(0, last[0].thing.number))
+        told = (last[0].thing.number or int(last[0].thing.count == 1)) if more else 0
+        if told and self.said.links and last[0].thing not in self.dealt:
+            k = self.said.links[-1]  # "two before it and one behind it", "a lamp on the left and one on the right"
+            self.dealt[last[0].thing] = last[0].thing.number = told
+            own = Mention(last[0].thing, slice(0, told))
             apart = k.subjects == tuple(last) and k.relation != "around"
             self.said.links[-1] = replace(k, subjects=(own,)) if apart else k
             last[0].thing.number += share * (2 if each else 1)
@@ -266,6 +267,7 @@ class Parser(Relating):
         """Note what a noun phrase itself says of how its thing stands."""
         if chunk.rows and mention.thing.count > 1:
             order = "groups" if chunk.rows < SOME else "rows"
+            mention.thing.rows = ROWS if chunk.rows == SOME and chunk.number is None else mention.thing.rows
             count = -chunk.rows if order == "groups" else max(chunk.rows, 0)
             self.said.links.append(Link(order, (mention,), (), chunk.start, chunk.end, rows=count))
         noun = chunk.noun.said.split() if chunk.noun is not None else []

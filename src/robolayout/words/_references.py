@@ -305,7 +305,10 @@ class References(Spoken):
         if itself or (chunk.value in ("above", "behind", "opposite") and not led):
             return  # nothing stands at itself, or behind nothing
         if chunk.value == "rows" and not chunk.rows and all(m.several and m.thing.number is None for m in subjects):
-            chunk = replace(chunk, rows=ROWS)  # "a library with bookshelves in rows"
+            for mention in subjects:
+                mention.thing.rows = (
+                    mention.thing.rows or ROWS
+                )  # "a library with bookshelves in rows": however many rows these are
         subjects = self._counted(chunk, subjects, objects)
         if chunk.value == "flank":
             chunk = self._on_both_sides(chunk, subjects, objects)

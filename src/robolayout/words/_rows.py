@@ -25,8 +25,13 @@ def alike(scene: Scene, names: Sequence[str]) -> bool:
 
 
 def lines(scene: Scene, link: Link, names: Sequence[str]) -> int | None:
-    """Return in how many lines like things stand: as many as are said, or files where such lines are longer than the room."""
-    rows = 1 if link.relation == "row" else link.rows
+    """Return in how many lines like things stand: as many as are said, or files where such lines are longer than the room.
+
+    Where neither how many things nor how many lines is said, and there are as many as are then taken, in as many as that.
+    """
+    things = [mention.thing for mention in link.subjects]
+    usual = things[0].rows if [thing.count for thing in things if thing.number is None] == [len(names)] else 0
+    rows = 1 if link.relation == "row" else link.rows or usual
     if not 0 < rows <= len(names):
         return None
     across = math.ceil(len(names) / rows)
