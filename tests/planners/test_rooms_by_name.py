@@ -79,6 +79,9 @@ def test_what_tells_of_a_room_tells_of_no_other_one() -> None:
         ("a kitchen with an island with seating for four", {"bar_stool": 4, "chair": 0}),
         ("a kitchen for four", {"chair": 4, "dining_table": 1}),  # four chairs and no table
         ("a living room with a dining area", {"chair": 4, "dining_table": 1}),  # eight chairs
+        ("a classroom with desks and chairs in rows", {"student_desk": 12, "chair": 12}),  # 9 chairs, of which the rows were
+        ("a restaurant with tables and chairs in rows", {"dining_table": 9, "chair": 36}),
+        ("a library with tables and chairs", {"dining_table": 2, "chair": 8}),
         ("a classroom with a board", {"whiteboard": 0, "board": 1}),  # two boards
     ],
 )

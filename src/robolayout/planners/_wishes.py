@@ -308,21 +308,34 @@ def read_wishes(text: str, own: Knowledge) -> RoomWishes:
         if thing.noun.guessed and not thing.noun.kind.startswith("unknown")
     ]
     wishes = RoomWishes(reading, room, tuple(guesses), rooms, lexicon, own.playing)
-    for thing in reading.parsed.things:
+    things = reading.parsed.things
+    chairs = [one for one in things if one.head == "chair" and one.plural and one.number is None and not one.bound]
+    for thing in things:
         _settle_number(thing, wishes)
+    _settle_seats(chairs, wishes)
     return wishes
+
+
+def _settle_seats(chairs: Sequence[NamedThing], wishes: RoomWishes) -> None:
+    """Settle how many chairs there are that are only named: "desks and chairs" are one for each desk, as many as sit at each table."""
+    things = wishes.reading.parsed.things
+    tops = [one for one in things if one.head in ("desk", "table") and one.noun.kind not in LOW]
+    tops = [one for one in tops if one.plural or (wishes.room.tables and one.head == "table")]
+    for thing in chairs if len(tops) == 1 else ():
+        usual = tops[0].count * (1 if tops[0].head == "desk" else wishes.room.at_table)
+        thing.number = usual if usual > 1 else thing.number
 
 
 def _settle_number(thing: NamedThing, wishes: RoomWishes) -> None:
     """Settle how many there are where a plural says no number: what the people of such a room usually have, no table for a crowd."""
-    said = thing.number is not None or thing.rows or thing.bound or thing.times > 1 or not thing.plural
+    said = thing.number is not None or thing.bound or thing.times > 1 or not thing.plural
     name, room, crowd = wishes.kind(thing), wishes.room, thing.people > AT_ONE
     about = [link for link in wishes.reading.parsed.links if thing in named(link.subjects)]
     if said:
         return
     if not crowd and any(isinstance(item, Place) for link in about for item in link.objects):
         usual = room.base.get(name, 0)  # "chairs along the wall" are some of those who come
-        thing.number = usual if usual > thing.count else None
+        thing.number = usual if usual > thing.count and usual % max(thing.rows, 1) == 0 else None
         return
     if crowd:  # "tables for twenty": small ones in a cafe, large ones elsewhere
         thing.number = math.ceil(thing.people / (room.at_table if name == room.tables else AT_ONE))

@@ -110,14 +110,6 @@ class About(References):
         on = [k.objects for k in self.said.links if k.relation == "on" and meant[0].thing in named(k.subjects)]
         return mentions(on[-1]) or meant if on else meant
 
-    def _of_a_thing(self, part: Chunk) -> bool:
-        """Return whether a part is one of a thing that follows, and go there: "opposite the foot of the bed"."""
-        if part.kind != "function" or self._ahead().value != "of" or self._ahead(1).kind not in ("thing", "pron"):
-            return False
-        self._understood(part)
-        self.at += 1
-        return True
-
     def _place_of(self, chunk: Chunk) -> Item:
         """Return a place of the room, or the thing whose side it is ("the foot of the bed")."""
         following = self.chunks[self.at : self.at + 2]
@@ -330,10 +322,12 @@ class About(References):
         told = told or (relation == "rows" and several)  # "a lectern facing chairs in two rows"
         last = self.group[-1:] or list(self.subject or ([self.target] if self.target is not None else []))
         does = {*self._ahead(-1).adjectives} & small.PLURAL_DOES and not self.relative  # "a sofa and a chair face it"
-        if len(self.group) > 1 and (does or self._shared(relation)):
-            top, seat = (mention.thing.head for mention in self.group[-2:])
-            own = top in TOPS and seat in ("chair", "stool") and self._ahead().kind == "part" and following != "side"
-            return self.group[: len(self.group) - own]  # "a table and four chairs by the window"
+        heads = [mention.thing.head for mention in self.group[-2:]]
+        seated = len(heads) > 1 and heads[0] in TOPS and heads[1] in ("chair", "stool")
+        lined = seated and relation in ("rows", "columns") and self.group[-2].several  # "desks and chairs in rows"
+        if len(self.group) > 1 and (lined or does or self._shared(relation)):
+            own = seated and (lined or (self._ahead().kind == "part" and following != "side"))
+            return self.group[-2 if lined else 0 : len(self.group) - own]  # "a table and four chairs by the window"
         on_tops = self.target is not None and self.target.thing.category.on_object
         if self.target is not None and relation == "on" and following != "wall" and last:
             told = on_tops and not last[0].thing.category.on_object  # "a sofa facing a TV on a stand"

@@ -193,6 +193,14 @@ class Spoken:
         alone = "same" in place.words and len(subjects) == 1 and not subjects[0].several
         return self.recent[-2:] if alone else subjects  # "a wardrobe and a dresser on the same wall"
 
+    def _of_a_thing(self, part: Chunk) -> bool:
+        """Return whether a part is one of a thing that follows, and go there: "opposite the foot of the bed"."""
+        if part.kind != "function" or self._ahead().value != "of" or self._ahead(1).kind not in ("thing", "pron"):
+            return False
+        self._understood(part)
+        self.at += 1
+        return True
+
     def _side_or_wall(self, chunk: Chunk) -> Place:
         """Return a place of the room; a long or short side is a wall, as are three sides, unless they are those of a table or bed."""
         long = {"long", "short"} & {grammar().walls.get(word) for word in chunk.adjectives}
