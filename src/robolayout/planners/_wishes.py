@@ -164,6 +164,11 @@ class RoomWishes:
         """Return what was asked for of a category, once for each of it: "a low table and two high ones" are three."""
         return [thing for thing, kind in self.asked.items() if kind.name == name for _ in range(thing.count)]
 
+    def placed(self, thing: NamedThing) -> bool:
+        """Return whether a thing is asked to be at a place of the room."""
+        led = (item for link in self.reading.parsed.links if thing in named(link.subjects) for item in link.objects)
+        return any(isinstance(item, Place) for item in led)
+
     @property
     def general(self) -> frozenset[str]:
         """Nouns that say no more than one word ("lamp"): nothing more of that name is added."""
@@ -318,37 +323,31 @@ def read_wishes(text: str, own: Knowledge) -> RoomWishes:
 
 def _settle_seats(chairs: Sequence[NamedThing], wishes: RoomWishes) -> None:
     """Settle how many chairs there are that are only named: "desks and chairs" are one for each desk, as many as sit at each table."""
-    things = wishes.reading.parsed.things
-    tops = [one for one in things if one.head in ("desk", "table") and one.noun.kind not in LOW]
-    tops = [one for one in tops if one.plural or (wishes.room.tables and one.head == "table")]
+    things, room = wishes.reading.parsed.things, wishes.room
+    tops = [one for one in things if one.head == "desk" or (one.noun.kind in SMALL and one.noun.kind not in LOW)]
+    tops = [one for one in tops if one.plural or (room.tables and one.head == "table")]
     for thing in chairs if len(tops) == 1 else ():
-        usual = tops[0].count * (1 if tops[0].head == "desk" else wishes.room.at_table)
-        thing.number = usual if usual > 1 else thing.number
+        usual = tops[0].count * (1 if tops[0].head == "desk" else room.at_table)
+        thing.number = usual if usual > 1 and not wishes.placed(thing) else thing.number
 
 
 def _settle_number(thing: NamedThing, wishes: RoomWishes) -> None:
     """Settle how many there are where a plural says no number: what the people of such a room usually have, no table for a crowd."""
-    said = thing.number is not None or thing.bound or thing.times > 1 or not thing.plural
-    name, room, crowd = wishes.kind(thing), wishes.room, thing.people > AT_ONE
-    about = [link for link in wishes.reading.parsed.links if thing in named(link.subjects)]
-    if said:
+    if thing.number is not None or thing.bound or thing.times > 1 or not thing.plural:
         return
-    if not crowd and any(isinstance(item, Place) for link in about for item in link.objects):
-        usual = room.base.get(name, 0)  # "chairs along the wall" are some of those who come
-        thing.number = usual if usual > thing.count and usual % max(thing.rows, 1) == 0 else None
-        return
-    if crowd:  # "tables for twenty": small ones in a cafe, large ones elsewhere
+    name, room, people = wishes.kind(thing), wishes.room, wishes.reading.people or wishes.room.people
+    if thing.people > AT_ONE:  # "tables for twenty": small ones in a cafe, large ones elsewhere
         thing.number = math.ceil(thing.people / (room.at_table if name == room.tables else AT_ONE))
         thing.people = math.ceil(thing.people / thing.number)
         return
-    people = wishes.reading.people or room.people
     at_tables = math.ceil(people / (thing.people or room.at_table)) if name == room.tables else 0
-    formed = IN_A_SHAPE if any(link.relation in SHAPES for link in about) else 0
-    formed = max(
-        [formed, *(2 * link.rows for link in about if link.relation == "groups")]
-    )  # "armchairs in groups of three"
-    usual = max(at_tables or room.person.get(name, 0) * people, room.base.get(name, 0), formed)
-    thing.number = usual if usual > thing.count else None
+    brought = at_tables or room.person.get(name, 0) * people
+    brought = 0 if wishes.placed(thing) else brought  # "chairs along the wall" are some of them
+    about = [link for link in wishes.reading.parsed.links if thing in named(link.subjects)]
+    formed = [IN_A_SHAPE for link in about if link.relation in SHAPES]
+    formed += [2 * link.rows for link in about if link.relation == "groups"]  # "armchairs in groups of three"
+    usual = max(brought, room.base.get(name, 0), *formed)
+    thing.number = usual if usual > thing.count and usual % max(thing.rows, 1) == 0 else None
 
 
 def _room(reading: Reading, rooms: RoomTypes) -> tuple[RoomType, list[str]]:

@@ -21,7 +21,7 @@ from robolayout.constraints.in_shape import shape_slots
 from robolayout.planners._added import COMFORT, LARGER, SEATS, SPARE, Added, both
 from robolayout.planners._knowledge import load_knowledge
 from robolayout.planners._openings import with_openings
-from robolayout.planners._wishes import RoomWishes, head, read_wishes
+from robolayout.planners._wishes import LOW, RoomWishes, head, read_wishes
 from robolayout.scene import FLAT_HEIGHT, Agent, Room, Scene, load_agent, scene_from_dict, variable_name
 from robolayout.words import CROWD, SHAPES, dressing, named, place_in, places, visits
 
@@ -175,12 +175,8 @@ def _wished(wishes: RoomWishes) -> dict[str, int]:
 
 def _lounge(wishes: RoomWishes, wished: Mapping[str, int]) -> dict[str, int]:
     """Return the sofas and armchairs of a room with seats for so many and no chairs for them; as many of them as are said stay."""
-    people = wishes.reading.people
-    if (
-        "sofa" not in wishes.room.base
-        or people <= AT_ONE_SOFA
-        or any(head(name) in ("chair", "table") for name in wished)
-    ):
+    people, other = wishes.reading.people, {head(name) for name in wished if name not in LOW} & {"chair", "table"}
+    if other or people <= AT_ONE_SOFA or "sofa" not in wishes.room.base:
         return {}
     there = {kind: sum(n for name, n in wished.items() if head(name) == kind) for kind in ("sofa", "armchair")}
     sofas = there["sofa"] or math.ceil(people / AT_ONE_SOFA)

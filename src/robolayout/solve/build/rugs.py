@@ -55,11 +55,9 @@ def lay_rugs(site: Site, names: Sequence[str]) -> None:
 def _in_a_door(site: Site) -> Pose:
     """Return where a mat lies before the first door, along it."""
     door = site.room.doors[0]
-    (x, y), normal = (
-        np.mean(site.room.landing(door, LAYING.landing), axis=0).tolist(),
-        site.room.walls[door.wall].normal,
-    )
-    return x, y, math.atan2(normal[1], normal[0])
+    x, y = np.mean(site.room.landing(door, LAYING.landing), axis=0).tolist()
+    ahead, aside = site.room.walls[door.wall].normal
+    return x, y, math.atan2(aside, ahead)
 
 
 def _at_owner(site: Site, name: str, owner: str) -> Pose:
