@@ -290,9 +290,8 @@ class References(Spoken):
         walls = next((self._number_of(to) for to in lined if to.det == "all"), walls)
         for thing in (mention.thing for mention in subjects):
             if walls and thing.plural and thing.number is None:
-                thing.number = walls * (
-                    2 if several or chunk.value == "wall" or thing.head in SEATS else 1
-                )  # "bookshelves line two walls"
+                at_each = 2 if several or chunk.value == "wall" or thing.head in SEATS else 1
+                thing.number = walls * at_each  # "bookshelves line two walls"
         for mention in subjects if chunk.value == "rows" else ():
             mention.thing.rows = mention.thing.rows or chunk.rows  # "clothing racks in three rows"
         return subjects
@@ -305,10 +304,8 @@ class References(Spoken):
         if itself or (chunk.value in ("above", "behind", "opposite") and not led):
             return  # nothing stands at itself, or behind nothing
         if chunk.value == "rows" and not chunk.rows and all(m.several and m.thing.number is None for m in subjects):
-            for mention in subjects:
-                mention.thing.rows = (
-                    mention.thing.rows or ROWS
-                )  # "a library with bookshelves in rows": however many rows these are
+            for mention in subjects:  # "a library with bookshelves in rows": however many rows these are
+                mention.thing.rows = mention.thing.rows or ROWS
         subjects = self._counted(chunk, subjects, objects)
         if chunk.value == "flank":
             chunk = self._on_both_sides(chunk, subjects, objects)

@@ -215,11 +215,8 @@ class Relating(About):
             held = self.holder or [m for m in self.subject if m not in subjects] or list(on[-1] if on else self.subject)
             chunk, objects = replace(chunk, value="on"), objects or list(held)
         chunk, objects = self._other_side(chunk, objects)
-        if (
-            chunk.value == "on"
-            and mentions(objects)
-            and [c.value for c in self.chunks[self.at - 3 : self.at - 1]] == ["side", "of"]
-        ):
+        at_a_side = [c.value for c in self.chunks[self.at - 3 : self.at - 1]] == ["side", "of"]
+        if chunk.value == "on" and at_a_side and mentions(objects):  # "on all four sides of the table"
             chunk = replace(chunk, value="around" if all(one.sat_on for one in subjects) else "next")
         place = place_in(objects[:1])
         sides = place.name == "side" if place else chunk.value in ("flank", "oneside") and not objects

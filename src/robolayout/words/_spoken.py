@@ -184,9 +184,8 @@ class Spoken:
         """Return which of some things are at a place of the room: no tables with seats around them, and both that share a wall."""
         if chunk.value == "wall":  # "two tables for eight and shelves along the walls"
             free = place.plural and subjects[-1].thing.head != "table"
-            off = [
-                m for m in subjects if m.thing.head in (("table",) if free else TOPS) and (free or m.thing.promising)
-            ]
+            seated = [m for m in subjects if m.thing.head in TOPS and m.thing.promising]
+            off = [m for m in subjects if m.thing.head == "table"] if free else seated
             subjects = [m for m in subjects if m not in off] or subjects
         if chunk.value == "on" and place.name == "wall":  # "a rack, magazines and a TV on the wall"
             subjects = [m for m in subjects if m.thing.places != ("object",)] or subjects
@@ -203,19 +202,15 @@ class Spoken:
 
     def _side_or_wall(self, chunk: Chunk) -> Place:
         """Return a place of the room; a long or short side is a wall, as are three sides, unless they are those of a table or bed."""
-        long = {"long", "short"} & {grammar().walls.get(word) for word in chunk.adjectives}
-        last = (
-            self.said.links[-1] if self.said.links else None
-        )  # "the bed against a wall and a desk on the opposite side"
+        long = bool({"long", "short"} & {grammar().walls.get(word) for word in chunk.adjectives})
+        several = (chunk.number or 0) > 1 or chunk.det == "all"
+        last = self.said.links[-1] if self.said.links else None
+        # "the bed against a wall and a desk on the opposite side"
         across = {"opposite", "opposing", "other"} & {*chunk.adjectives} and last and place_in(last.objects, "wall")
-        several = across or (chunk.number or 0) > 1 or chunk.det == "all"
-        own = (
-            any(m.sat_on for m in self.about)
-            if long
-            else any(thing.head in (*TOPS, "bed", "island") for thing in self.said.things)
-        )
-        wall = chunk.value == "side" and (long or several) and (not own or across or self._ahead(-1).kind == "room")
-        return replace(place_of(chunk), name="wall") if wall else place_of(chunk)
+        sided = any(thing.head in (*TOPS, "bed", "island") for thing in self.said.things)
+        own = any(m.sat_on for m in self.about) if long else sided
+        wall = across or ((long or several) and (not own or self._ahead(-1).kind == "room"))
+        return replace(place_of(chunk), name="wall") if chunk.value == "side" and wall else place_of(chunk)
 
     def _listed_with(self, relation: str, subjects: list[Mention], objects: Sequence[Item]) -> list[Mention]:
         """Return what is at one side of what has it: "a sofa with a rug and a table in front of it"; chairs are around theirs."""
@@ -223,9 +218,10 @@ class Spoken:
         its = self.having and self._ahead(-1).kind == "pron" and named(objects) == named(self.holder)
         if not its or last is None or last.relation != "with" or named(last.objects) != named(self.holder):
             return subjects
-        beside = relation in ("next", "left", "right")
+        beside, bears = relation in ("next", "left", "right"), self.holder[0].thing.head in TOPS
         also = [m for m in last.subjects if m.thing.count == 1 and m.thing not in named(subjects)]
         also = [m for m in also if any(kind.on_floor for kind in m.thing.noun.categories)]
+        also = [m for m in also if not (bears and any(kind.on_object for kind in m.thing.noun.categories))]  # lamps
         also = [m for m in also if beside or m.thing.category.size[2] < FLAT_HEIGHT]
         return [*also, *subjects] if beside or relation in ("front", "foot") else subjects
 

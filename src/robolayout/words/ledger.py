@@ -162,9 +162,8 @@ class _RowMaker:
         """Return the row of a room, or of a part of the one that is laid out."""
         if words.lower().endswith(as_row.ZONES):
             return Unjudged(words, "function", "a part of the room", as_row.taste)
-        same = (
-            chunk.det == "the" and words.split()[-1].lower() in grammar().parts
-        )  # "a deli ... in the middle of the shop"
+        # "a deli ... in the middle of the shop"
+        same = chunk.det == "the" and words.split()[-1].lower() in grammar().parts
         if not same and chunk.value not in ("room", self.reading.room, *self.reading.joined):
             return as_row.unread(words, f"one room is laid out, the {self.reading.room}")
         guessed = self.reading.guessed and chunk is self.reading.placed

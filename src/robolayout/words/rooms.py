@@ -30,9 +30,7 @@ class RoomType:
     zones: tuple[Mapping[str, int], ...] = ()  # what a large room has besides, one group after the other
     of: str = ""  # the wider room type that it is counted as
     telling: tuple[str, ...] = ()  # things each of which says that such a room is meant where none is named
-    by_name: bool = (
-        False  # whether only its name and what tells of it say that it is meant, not what else is usual in it
-    )
+    by_name: bool = False  # whether only its name and what tells of it mean it, not what else is usual in it
     people: int = 0  # how many people there are if nobody says
     couple: bool = False  # whether two adults need nothing besides what always belongs in
     tables: str = ""  # the table that the chairs of this room stand at, if they need one
