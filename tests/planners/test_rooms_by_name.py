@@ -9,7 +9,7 @@ import pytest
 from said_rooms import made, of
 
 import robolayout as rl
-from robolayout.words import read_rooms
+from robolayout.words import read_rooms, read_words
 
 
 def there(text: str) -> Counter[str]:
@@ -79,7 +79,10 @@ def test_what_tells_of_a_room_tells_of_no_other_one() -> None:
         ("a kitchen with an island with seating for four", {"bar_stool": 4, "chair": 0}),
         ("a kitchen for four", {"chair": 4, "dining_table": 1}),  # four chairs and no table
         ("a living room with a dining area", {"chair": 4, "dining_table": 1}),  # eight chairs
-        ("a classroom with desks and chairs in rows", {"student_desk": 12, "chair": 12}),  # 9 chairs, of which the rows were
+        (
+            "a classroom with desks and chairs in rows",
+            {"student_desk": 12, "chair": 12},
+        ),  # 9 chairs, of which the rows were
         ("a restaurant with tables and chairs in rows", {"dining_table": 9, "chair": 36}),
         ("a library with tables and chairs", {"dining_table": 2, "chair": 8}),
         ("a classroom with a board", {"whiteboard": 0, "board": 1}),  # two boards
@@ -224,6 +227,28 @@ def test_chairs_stay_at_their_desks_where_the_middle_is_to_be_open() -> None:
 
 def test_what_goes_with_a_thing_that_is_refused_is_not_there() -> None:
     assert not there("a living room with no TV")["tv_stand"]
+
+
+@pytest.mark.parametrize(
+    ("task", "words", "understanding"),
+    [
+        ("classroom_medium", "the board", "1 board (blackboard)"),  # a bulletin board hangs there, too
+        ("buffet_restaurant_medium", "table in rows", "aisle=0)"),  # three rows, said nobody
+    ],
+)
+def test_what_given_scenes_are_said_to_be(task: str, words: str, understanding: str) -> None:
+    rows = read_words(rl.load_scene(f"examples/tasks/{task}.json")).rows
+    assert [row.understanding.endswith(understanding) for row in rows if row.words == words] == [True]
+
+
+@pytest.mark.parametrize(
+    "text", ["a workshop with a table saw free on all sides", "a classroom with a board. Everybody looks at the board."]
+)
+def test_what_says_no_place_puts_nothing_at_a_wall(text: str) -> None:
+    scene, _ = rl.scene_from_sentence(text)
+    rows = read_words(scene).rows
+    assert not [row.words for row in rows if row.demands]
+    assert [row for row in rows if row.kind == "not understood"]
 
 
 def test_a_screen_at_the_short_end_hangs_on_a_short_wall() -> None:

@@ -401,7 +401,10 @@ class Relating(About):
         """Return whether this clause is about somebody: "guests are received near the door" moves no furniture."""
         before = self.chunks[: self.at - 1]
         ends = [i for i, chunk in enumerate(before) if chunk.kind in ("comma", "and", "stop", "colon")]
-        clause = [chunk for chunk in before[ends[-1] + 1 if ends else 0 :] if chunk.kind != "filler"]
+        clause = before[ends[-1] + 1 if ends else 0 :]
+        if [chunk.value for chunk in clause] in (["everybody"], ["everyone"]):
+            return True  # "everybody looks at the board"
+        clause = [chunk for chunk in clause if chunk.kind != "filler"]
         if len(clause) < 2 or any(chunk.kind in ("thing", "pron") for chunk in clause):
             return False
         who, does = clause[0], clause[1].kind in ("verb", "other")

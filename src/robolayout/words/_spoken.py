@@ -203,7 +203,8 @@ class Spoken:
     def _side_or_wall(self, chunk: Chunk) -> Place:
         """Return a place of the room; a long or short side is a wall, as are three sides, unless they are those of a table or bed."""
         long = bool({"long", "short"} & {grammar().walls.get(word) for word in chunk.adjectives})
-        several = (chunk.number or 0) > 1 or chunk.det == "all"
+        free = self._ahead(-3).value in small.FREE  # "the saw free on all sides"
+        several = ((chunk.number or 0) > 1 or chunk.det == "all") and not free
         last = self.said.links[-1] if self.said.links else None
         # "the bed against a wall and a desk on the opposite side"
         across = {"opposite", "opposing", "other"} & {*chunk.adjectives} and last and place_in(last.objects, "wall")

@@ -361,8 +361,11 @@ def _same_head(asset: Asset, thing: NamedThing) -> bool:
         return False
     if len(said) != 1:
         return thing.head == category[-1] and len(category) == 1
-    return category[-1] == said[0] or KIN.get(category[-1]) == said[0]
+    return category[-1] == said[0] or STANDING_FOR.get(category[-1]) == said[0]
 
+
+STANDING_FOR = {**KIN, "blackboard": "board"}
+"""Categories by the last word under which they are meant, too."""
 
 TIERS = (_same_words, _same_kind, _same_head)
 """How assets are found to be what was named, the likeliest first."""
