@@ -131,7 +131,7 @@ def test_a_bed_between_two_windows_has_its_night_stands_beside_it() -> None:
 @pytest.mark.parametrize(
     ("text", "kind", "count"),
     [
-        ("a classroom with rows of desks", "student_desk", 9),
+        ("a classroom with rows of desks", "student_desk", 12),
         ("a bar with six stools at the counter and three high tables each with four stools", "bar_stool", 18),
         ("a game room with a pool table in the middle, at least 1.5 m free on all sides", "pool_table", 1),
         ("a library with four armchairs in pairs and a small table between each pair", "side_table", 2),
