@@ -55,10 +55,9 @@ class Added:
         links = [link for link in said if link.relation in ("on", "above")]
         laid = {mention.thing.noun.kind for link in links for mention in link.subjects}
         borne = {kind for kind in laid if "floor" not in wishes.kinds[kind].places}
-        self.spared = wishes.reading.unwanted.union(*map(self._companions, borne))  # their bearer is said
-        self.spared |= {
-            other for name in wishes.reading.unwanted if name in wishes.kinds for other in self._companions(name)
-        }
+        unwanted = wishes.reading.unwanted
+        alone = (*borne, *(unwanted & wishes.kinds.keys()))  # their bearer is said, or nobody wants them
+        self.spared = unwanted.union(*map(self._companions, alone))
         self.spared |= self._unseen() | self._crowded_out()
         formed = [mention for link in said if link.relation in SHAPES for mention in link.subjects]
         if formed:  # the middle of the room is theirs, and seats in a circle are at no desk
@@ -216,7 +215,7 @@ class Added:
         """Add a thing with what it needs, as many times as there is room for."""
         present = {self.wishes.head(other) for other in (*self.wished, *self.found)}
         # chairs are there, and nothing that they stand at
-        tops = {head(other) for other in (*self.wished, *self.found) if other not in LOW}
+        tops = {self.wishes.head(other) for other in (*self.wished, *self.found) if other not in LOW}
         waiting = "chair" in present and not {"table", "desk"} & tops
         needs = {
             other: each

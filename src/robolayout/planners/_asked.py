@@ -145,15 +145,17 @@ PLACELESS = ("point_towards", "align_with", "under", "above", "keep_clear")
 
 def said(demands: Iterable[Demand], *, placing: bool = False) -> list[Relation]:
     """Return the statements of the first ways of some demands, all or those that put something on the floor."""
-    demands = tuple(demands)
-    # what is only to be off the middle stands there as usual
-    around = (len(one.ways) > 1 and all(way[0].name == "zone" for way in one.ways) for one in demands)
-    firsts = [demand.ways[0] for demand, off in zip(demands, around, strict=True) if not (placing and off)]
+    firsts = [demand.ways[0] for demand in demands if not (placing and _off_the_middle(demand))]
     if placing:  # how something is turned, and how far off a wall it is then, moves nothing, either
         firsts = [
             way for way in firsts if not any(one.name == "align_with" and len(one.asset_names()) == 1 for one in way)
         ]
     return [relation for way in firsts for relation in way if not (placing and relation.name in PLACELESS)]
+
+
+def _off_the_middle(demand: Demand) -> bool:
+    """Return whether a thing is only asked into one of several parts of the room, in which it stands as is usual."""
+    return len(demand.ways) > 1 and all(way[0].name == "zone" for way in demand.ways)
 
 
 def subjects(demands: Iterable[Demand]) -> set[str]:

@@ -23,7 +23,7 @@ from robolayout.planners._knowledge import load_knowledge
 from robolayout.planners._openings import with_openings
 from robolayout.planners._wishes import LOW, RoomWishes, head, read_wishes
 from robolayout.scene import FLAT_HEIGHT, Agent, Room, Scene, load_agent, scene_from_dict, variable_name
-from robolayout.words import CROWD, SHAPES, dressing, named, place_in, places, visits
+from robolayout.words import COUNTERS, CROWD, SHAPES, dressing, named, place_in, places, visits
 
 
 @dataclass(frozen=True)
@@ -54,9 +54,6 @@ SIZES = Sizes()
 
 LOUNGE = {"sofa", "armchair", "bench", "stool", "booth", "pew", "recliner"}
 """Last words of what people sit on where there is no table for chairs."""
-
-COUNTERS = {"kitchen island", "bar counter"}
-"""What people sit at on high stools."""
 
 ON_A_SOFA, AT_ONE_SOFA = 3, 5
 """People on a sofa, and with the armchairs that go with it."""
@@ -273,10 +270,10 @@ def _blocks(wishes: RoomWishes) -> Iterator[tuple[float, float]]:
             slots = shape_slots(shape, max(link.rows if grouped else thing.count, 3), depth, width, apart)
             round_it = max(depth, width) + 2 * SIZES.around + SIZES.walkway * kind.endswith(("desk", "table"))
             wide, deep = (max(at[k] for at in slots) - min(at[k] for at in slots) + round_it for k in (1, 0))
-            before = any(k.relation in ("facing", "front") and thing in named(k.subjects) for k in links)
             if grouped:  # each a circle of seats, in two rows
                 yield math.ceil(thing.count / link.rows / 2) * wide, min(2, thing.count // link.rows) * deep
                 continue
+            before = any(k.relation in ("facing", "front") and thing in named(k.subjects) for k in links)
             yield wide, deep + SIZES.before * before
             yield wide * before, wide * before  # what is before it may be at any wall
         for thing in named(link.subjects) if link.relation == "cleared" else ():

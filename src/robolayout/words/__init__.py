@@ -5,7 +5,7 @@ from robolayout.words._lexicon import KIN, Lexicon, dressing, grammar
 from robolayout.words._places import COMPASS, walls_meant
 from robolayout.words._said import Link, Mention, NamedThing, Place, mentions, named, place_in, places, sides
 from robolayout.words._tokens import Measure
-from robolayout.words._ways import CROWD, SHAPES, visits
+from robolayout.words._ways import COUNTERS, CROWD, SHAPES, visits
 from robolayout.words.demands import Demand
 from robolayout.words.ledger import AskedRow, Wishes, read_words, share_met
 from robolayout.words.reading import Reading, read_text, sized
@@ -13,6 +13,7 @@ from robolayout.words.rooms import RoomType, RoomTypes, read_rooms
 
 __all__ = [
     "COMPASS",
+    "COUNTERS",
     "CROWD",
     "KIN",
     "SHAPES",

@@ -52,13 +52,12 @@ class AtSides(AtPlaces):
         return found
 
     def _around_each(self, a: str, b: str) -> Demand:
-        """Near it and turned to it; several sofas each at a side of their table, the first ones across from each other or in a U."""
+        """Near it and turned to it; several sofas each at a side of their table: in an L, a U or all round."""
         if self._is(b, ways_of.WATCHED) and self._is(a, ways_of.SEATS):
             return by_ways(ways_of.AROUND_WATCHED, a, b)
         if a in self.lounging:
             side, gaps = self.lounging[a]
-            turned = stated("align_with", AssetRef(a), AssetRef(b), ways_of.TOWARDS[side])
-            return Demand(((stated(side, AssetRef(a), AssetRef(b), *gaps), turned),))
+            return Demand((self._at_side(side, [a], b, gaps),))
         gap = ways_of.NEAR if self._is(a, ("armchair", "sofa", "bag")) else ways_of.BESIDE
         near = stated("near", AssetRef(a), AssetRef(b), gap)
         turns = not self._asset(a).is_flat and self._is(a, ways_of.SEATS)
@@ -88,11 +87,14 @@ class AtSides(AtPlaces):
         for one, other in pairs if depth > width else pairs[::-1]:
             yield from ((one, other), (other, one))
 
-    def _at_side(self, side: str, subjects: Sequence[str], b: str) -> tuple[Relation, ...]:
-        """Return that things stand at a side of another one; seats under a table, looking at it."""
-        at, found = self._is(b, ways_of.BEARING), list[Relation]()
+    def _at_side(
+        self, side: str, subjects: Sequence[str], b: str, gaps: tuple[float, float] | None = None
+    ) -> tuple[Relation, ...]:
+        """Return that things stand at a side of another one, so far from it; seats look at it, under a table if nothing is said."""
+        at, found = gaps is not None or self._is(b, ways_of.BEARING), list[Relation]()
         for a in subjects:
             sat_on = at and self._is(a, ways_of.SEATS)
-            found.append(stated(side, AssetRef(a), AssetRef(b), -ways_of.BESIDE if sat_on else 0.0, ways_of.NEAR))
+            low, high = gaps or (-ways_of.BESIDE if sat_on else 0.0, ways_of.NEAR)
+            found.append(stated(side, AssetRef(a), AssetRef(b), low, high))
             found += [stated("align_with", AssetRef(a), AssetRef(b), ways_of.TOWARDS[side])] * sat_on
         return tuple(found)

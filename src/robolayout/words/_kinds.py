@@ -10,7 +10,7 @@ from robolayout.assets.lexicon import phrase_index
 from robolayout.scene import FLAT_HEIGHT
 from robolayout.words import _function_words as small
 from robolayout.words._said import Link, NamedThing, Parsed, Place, mentions, place_in
-from robolayout.words._ways import AT_SIDES, BEARING, SEATS, TOPS
+from robolayout.words._ways import AT_SIDES, BEARING, COUNTERS, SEATS, TOPS
 
 WATCHING = ("front", "facing", "opposite", "around")
 """Relations of seats to what they look at."""
@@ -63,7 +63,7 @@ def _settle_by_company(parsed: Parsed, heads: Set[str]) -> None:
     lives = {(chunk.kind, chunk.value) for chunk in parsed.facts if chunk.kind in ("body", "people")}
     pets = bool(lives) and not rooms and all(kind == "body" and body in small.PETS for kind, body in lives)
     kinds = {thing.noun.kind for thing in parsed.things}
-    bar = kinds & {"kitchen island", "bar counter"} and not heads & {"table", "desk", "piano", "bench"}
+    bar = kinds & COUNTERS and not heads & {"table", "desk", "piano", "bench"}
     played = kinds & small.INSTRUMENTS and not heads & {"table", "desk"}
     for thing in parsed.things:
         if thing.noun.said == "bench" and played and thing.count == 1:

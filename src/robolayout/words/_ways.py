@@ -82,6 +82,9 @@ SEATS = ("chair", "stool", "armchair", "sofa", "bench", "recliner", "seat")
 TOPS = ("desk", "table", "counter")
 """Last words of what has a top at which one sits or stands."""
 
+COUNTERS = frozenset(("kitchen island", "bar counter"))
+"""Kinds at which one sits on high stools."""
+
 BEARING = (*TOPS, "sideboard", "dresser", "island")
 """Last words of what bears what is said to flank it."""
 
