@@ -63,7 +63,6 @@ Size = tuple[float, float, float]
 APART = 0.25  # metres between things that lie on a rug or sit in a line
 LONGEST = 50.0  # metres of the longest thing that a room is furnished with
 ELBOWS = 0.6  # metres of a table's edge for who sits there
-OF_CORNERS = {"workspace": "office"}  # rooms that are meant where only a part of one is named
 AT_ONE = 8  # seats up to which "tables for six" is said of each of them
 APART_AT_TABLE = 0.03  # metres between seats that are wider
 FOR_TWO = 0.8  # metres of a table for two
@@ -91,25 +90,31 @@ class RoomWishes:
     reading: Reading  # what it says
     room: RoomType  # the room type: as named, else the nearest one
     guesses: tuple[str, ...]  # what was guessed, one sentence each
-    rooms: RoomTypes  # the room types, bodies and corners that are known
+    rooms: RoomTypes  # the room types and bodies that are known
     lexicon: Lexicon  # the kinds of things that are known
     roles: Mapping[str, Role]  # what things are for, by the names of things
 
     @cached_property
     def things(self) -> Mapping[str, int]:
         """What is wished, and how many."""
-        wished = Counter[str]()
-        for thing in self.reading.parsed.things:
-            wished[self._shown(thing)] += thing.count
-        present = {name.split()[-1] for name in wished}
-        for chunk in (chunk for chunk in self.reading.parsed.facts if chunk.kind == "corner"):
-            corner = self.rooms.corners[chunk.value].items()
-            wished.update({name: count for name, count in corner if name.split()[-1] not in present})
+        wished = self._counted(implied=False)
         cosy = grammar().cosy
         if set(self.reading.words_of_taste) & set(cosy["words"]):  # something soft, a warm light
             rows = [row for row in (cosy["soft"], cosy["warm"]) if not set(wished) & set(row)]
             wished.update(kind for row in rows for kind in [k for k in row if k not in self.reading.unwanted][:1])
         return dict(wished)
+
+    @property
+    def implied(self) -> Mapping[str, int]:
+        """What belongs in parts of the room that are named, and how many: of what is usual, as many as are usual."""
+        found = self._counted(implied=True)
+        return {name: max(count, self.room.base.get(name, 0)) for name, count in found.items()}
+
+    def _counted(self, *, implied: bool) -> Counter[str]:
+        wished = Counter[str]()
+        for thing in (one for one in self.reading.parsed.things if one.implied == implied):
+            wished[self._shown(thing)] += thing.count
+        return wished
 
     @cached_property
     def kinds(self) -> Mapping[str, Category]:
@@ -172,7 +177,7 @@ class RoomWishes:
     @property
     def general(self) -> frozenset[str]:
         """Nouns that say no more than one word ("lamp"): nothing more of that name is added."""
-        said = self.reading.parsed.things
+        said = [thing for thing in self.reading.parsed.things if not thing.implied]
         return frozenset(t.noun.said for t in said if " " not in t.noun.said and not (t.adjectives or t.of_pet))
 
     @property
@@ -356,9 +361,6 @@ def _room(reading: Reading, rooms: RoomTypes) -> tuple[RoomType, list[str]]:
         guess = [f"{reading.room_words!r} is no room type that is known: {reading.room} was taken."]
         room = reduce(RoomType.sharing, (rooms.rooms[name] for name in (reading.room, *reading.joined)))
         return room, guess if reading.guessed else []
-    corners = [chunk.value for chunk in reading.parsed.facts if chunk.kind == "corner" and chunk.value in OF_CORNERS]
-    if corners:
-        return rooms.rooms[OF_CORNERS[corners[0]]], []
     kinds = {thing.noun.kind for thing in reading.parsed.things}
     usual = {kind for room in rooms.rooms.values() if room.of != "bedroom" for kind in room.base}
     kinds |= {like for like, last in LIKE.items() if any(kind.endswith(last) for kind in kinds - usual - {"pet bed"})}

@@ -167,7 +167,12 @@ def _wished(wishes: RoomWishes) -> dict[str, int]:
         wished[room.tables] = math.ceil(chairs / room.at_table)
     elif chairs and not tables and "dining table" in room.extras and not _at_a_counter(wished):
         wished["dining table"] = 1
-    return dict(wished) | _lounge(wishes, wished)
+    lounge = _lounge(wishes, wished)
+    for name, count in wishes.implied.items():
+        new = max(0, count - wished[name])
+        wished[name] += new
+        wished["office chair"] += new * (head(name) == "desk" and "office chair" in wished)
+    return dict(+wished) | lounge
 
 
 def _lounge(wishes: RoomWishes, wished: Mapping[str, int]) -> dict[str, int]:

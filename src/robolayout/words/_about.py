@@ -71,6 +71,11 @@ class About(References):
             self.at += 1
             return self._place_of(following)
         clause = following.kind == "people" and self._ahead(-1).kind == "filler"  # "in front, so that people see it"
+        whole = chunk.value in ("in", "on", "around", "flank")  # "in the kitchen", "around the room"
+        if following.kind in ("room", "corner") and not whole and (first := self._stands_for(following)) is not None:
+            self.at += 1
+            self.said.facts.append(following)
+            return first
         if following.kind in ("room", "function", "people") and not clause:
             self.at += 1
             ends = following.value.endswith(("head", "foot")) or chunk.value in ("opposite", "facing", "near", "next")

@@ -38,7 +38,7 @@ class Chunker(ClosedWords):
             chunk = self._next(at)
             put = bool(found) and found[-1].kind == "verb" and found[-1].value in PLACING  # "place a bar at the back"
             if chunk.kind == "room" and (put or any(c.kind == "room" and c.value != chunk.value for c in found)):
-                chunk = self._in_room(chunk)
+                chunk = self._in_room(chunk, found)
             found.append(self._reshaped(without_noun(self.words, at, found, self._run)) or chunk)
             at = found[-1].end
         return found
@@ -52,10 +52,16 @@ class Chunker(ClosedWords):
         noun = self.lexicon.noun([*chunk.adjectives, words[-1]]) if other else None
         return replace(chunk, noun=noun) if noun else chunk
 
-    def _in_room(self, chunk: Chunk) -> Chunk:
+    def _in_room(self, chunk: Chunk, found: Sequence[Chunk]) -> Chunk:
         """Return a further room as a thing of the first, where its name is one: "a studio with a kitchenette"."""
         words = self.words[chunk.start : chunk.end]
         noun = next((n for i in range(len(words)) if (n := self.lexicon.noun(words[i:]))), None)
+        if (
+            noun is not None
+            and noun.said in small.SHARING
+            and all(c.value in small.SHARING for c in found if c.kind == "room")
+        ):
+            return chunk  # "a living room with a kitchen"
         return chunk if noun is None or chunk.det == "the" else replace(chunk, kind="thing", value="", noun=noun)
 
     def _next(self, at: int) -> Chunk:
@@ -285,7 +291,8 @@ class Chunker(ClosedWords):
         article, before = (self._word(i - len(run) - back) for back in (1, 2))
         if word == "stand" and run and article in ("a", "an") and before not in small.JOINING:
             return False  # "on a keyboard stand"
-        if self.lexicon.noun(self.words[i : i + 2]) is not None and self._continues(i):
+        area = word in small.DONE_THERE and self._word(i + 1) in small.AREA_NOUNS  # "a sitting area"
+        if area or (self.lexicon.noun(self.words[i : i + 2]) is not None and self._continues(i)):
             return False
         known = bool(run) and self.lexicon.noun([run[-1], word]) is not None
         # "a lamp and a plant stand next to each other"
@@ -368,12 +375,13 @@ class Chunker(ClosedWords):
         single = phrase.removesuffix("s")
         if phrase in self.lexicon.bodies and phrase not in ("wheelchair", "rollator", "walker", "accessible"):
             return "body", self.lexicon.bodies[phrase], None
-        if phrase in self.lexicon.corners:
-            return "corner", self.lexicon.corners[phrase], None
         if phrase in self.lexicon.room_words:
             return "room", self.lexicon.room_words[phrase], None
         if phrase in self.grammar.functions:
             return "function", phrase, None
+        done = " ".join(tail[:-1]) if tail[-1] in small.AREA_NOUNS else phrase.removesuffix("space")
+        if done != phrase and done in small.DONE_THERE:
+            return "corner", small.DONE_THERE[done], None
         if phrase in self.grammar.parts or single in self.grammar.parts:
             return "part", self.grammar.parts.get(phrase, self.grammar.parts.get(single, "")), None
         if len(tail) == 1 and phrase in small.PEOPLE:

@@ -120,7 +120,6 @@ class Lexicon:
         self.kinds: Mapping[str, Category] = {**CATALOGUE, **{thing.name: thing for thing in own}}
         self.room_words = {plain(word): name for name, room in rooms.rooms.items() for word in room.words}
         self.bodies = {plain(word): name for word, name in rooms.agents.items()}
-        self.corners = {plain(word): word for word in rooms.corners}
 
     def noun(self, words: Sequence[str]) -> Noun | None:
         """Return what a phrase names, as it stands or in the singular; None if it is not known."""

@@ -44,7 +44,7 @@ class Parser(Relating):
             elif chunk.kind != "colon":
                 self._fact(chunk)
         self._on_stop(None)
-        self.said.links += [link for zone in self.zones.values() for link in zone.links(self.said.links)]
+        self.said.links += [link for zone in self.zones.values() for link in zone.links(self.said)]
         self.said.missed = leftover(self.chunks, self.said)
         return self.said
 
@@ -375,7 +375,6 @@ class Parser(Relating):
         if chunk.value == "room" or (chunk.value == "side" and self._is_zone(chunk)):
             self._new_zone(chunk)
             self._understood(*[chunk] * (chunk.value == "side"))
-            self._for_what(chunk)
         if (self._ahead(-3).kind, self._ahead(-2).kind) == ("thing", "with"):
             self._fact(replace(chunk, kind="function"))  # "a wardrobe with two sliding doors"
             return

@@ -8,7 +8,6 @@ from collections.abc import Sequence
 from dataclasses import replace
 from itertools import dropwhile, pairwise, takewhile
 
-from robolayout.scene import FLAT_HEIGHT
 from robolayout.words import _function_words as small
 from robolayout.words._about import About
 from robolayout.words._chunk import NOTHING, Chunk
@@ -443,5 +442,4 @@ def _over_or_under(relation: str, item: Item) -> bool:
     """Return whether something is a rug that things are on, or hangs from the ceiling over them."""
     if isinstance(item, Place):
         return False
-    lies = item.thing.category.size[2] < FLAT_HEIGHT
-    return (relation == "on" and lies) or (relation == "under" and item.thing.places == ("ceiling",))
+    return (relation == "on" and item.flat) or (relation == "under" and item.thing.places == ("ceiling",))

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field, replace
 
 from robolayout.assets import Category
 from robolayout.assets.palette import COLORS, LOOKS
+from robolayout.scene import FLAT_HEIGHT
 from robolayout.words._chunk import Chunk
 from robolayout.words._function_words import COMPASS
 from robolayout.words._lexicon import Noun, grammar
@@ -45,6 +46,7 @@ class NamedThing:
     people: int = 0  # seats that its words promise ("for six")
     everyones: bool = False  # whether each of the people there has as many ("for two children with a desk each")
     of_pet: bool = False  # whether it is said to be for one ("a bed for the cat")
+    implied: bool = False  # whether only the part of the room is named to which it belongs ("a reading corner")
     sat_at: bool = False  # whether it is said to have chairs, or these to be around it
     sizes: list[Measure] = field(default_factory=list[Measure])  # what is said of its size in figures
     told: list[str] = field(default_factory=list[str])  # words of taste that were said of it later ("the bed is brown")
@@ -123,6 +125,11 @@ class Mention:
     def several(self) -> bool:
         """Whether more than one is meant."""
         return self.count > 1
+
+    @property
+    def flat(self) -> bool:
+        """Whether it lies on the floor and others stand on it."""
+        return self.thing.category.size[2] < FLAT_HEIGHT
 
     @property
     def laid(self) -> bool:
@@ -226,6 +233,18 @@ class Parsed:
     missed: list[Chunk] = field(default_factory=list[Chunk])  # chunks that nothing is made of
     read: set[int] = field(default_factory=set[int])  # further tokens that are understood
     people: int = 0  # people that the room is for, where a bare number says it ("for ten"); 0 if none does
+
+    def implied(self, kind: str, count: int, area: Chunk) -> NamedThing:
+        """Add and return what belongs to a part of the room."""
+        self.things.append(NamedThing(Noun(kind, kind, kind), count, spans=[(area.start, area.end)], implied=True))
+        return self.things[-1]
+
+    def instead(self, thing: NamedThing, other: Mention) -> None:
+        """Let relations lead to another thing than to one that only stood for it."""
+        self.things.remove(thing)
+        for i, link in enumerate(self.links):
+            led = tuple(other if isinstance(item, Mention) and item.thing is thing else item for item in link.objects)
+            self.links[i] = replace(link, objects=led)
 
 
 def mentions(items: Iterable[Item]) -> list[Mention]:

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
 
-from robolayout.scene import FLAT_HEIGHT
 from robolayout.words import _function_words as small
 from robolayout.words._chunk import NOTHING, Chunk
 from robolayout.words._lexicon import grammar
@@ -27,17 +26,42 @@ class RoomPart:
     things: list[Mention] = field(default_factory=list[Mention])  # what was first named as being there
     half: bool = False  # whether it is a half of the room by its name
     place: tuple[Chunk, Sequence[Item]] | None = None  # where it is, if that is said: a relation, and to what
+    area: Chunk | None = None  # what names it by what one does there, or as a further room
+    first: NamedThing | None = None  # what stands for it where a relation leads to it
 
-    def links(self, said: Sequence[Link]) -> Iterator[Link]:
+    def links(self, said: Parsed) -> Iterator[Link]:
         """Yield where its things stand, given what is said of them: all in a half of the room, else the first at the place."""
+        if self.area is not None:
+            yield from self._furnished(self.area, said)
         if self.place is None:
             return
         chunk, objects = self.place
-        placed = {thing for k in said if place_in(k.objects) for thing in named(k.subjects)}
+        placed = {thing for k in said.links if place_in(k.objects) for thing in named(k.subjects)}
         free = [m for m in self.things if m.thing.category.on_floor and m.thing not in placed]
         if free:
-            about = tuple(free if place_in(objects, "side") else free[:1])
+            lined = self.area is not None and self.area.value == "kitchen" and place_in(objects, "wall")
+            about = tuple(free if lined or place_in(objects, "side") else free[:1])
             yield Link(chunk.value, about, tuple(objects), chunk.start, chunk.end)
+
+    def _furnished(self, area: Chunk, said: Parsed) -> Iterator[Link]:
+        """Add what belongs there where nothing is said to stand there, and yield that it stands together."""
+        rooms = [fact for fact in said.facts if fact.kind == "room"]
+        usual = not (self.place or self.first) and (area in rooms[:1] or area.value in small.SHARING)
+        own = [m for m in self.things if m.thing.category.on_floor and not m.flat]
+        if own and self.first is not None:
+            said.instead(self.first, own[0])
+        if own or (area.kind == "room" and (usual or len(rooms) < 2)):
+            return
+        there, told = {thing.head for thing in said.things}, {thing for k in said.links for thing in named(k.subjects)}
+        for number, (kind, count) in enumerate(small.AREAS[area.value].items()):
+            alike = [t for t in said.things if t.noun.kind == kind and t not in told] if number == 0 else []
+            alike = [self.first] if number == 0 and self.first is not None else alike
+            if not alike and (number == 0 or kind.split()[-1] not in there):
+                alike = [said.implied(kind, count, area)]
+            self.things += [Mention(thing) for thing in alike[:1]]
+        first, *others = [m for m in self.things if not m.flat] or self.things
+        near = [m for m in others if area.value != "kitchen" and m.thing.category.on_floor and not m.sat_on]
+        yield from (Link("near", (other,), (first,), area.start, area.end) for other in near[:1])
 
 
 class Spoken:
@@ -82,12 +106,32 @@ class Spoken:
         self.target: Mention | None = None
         self.every: tuple[list[Mention], int] | None = None  # what each has that is spoken of, and how many there are
 
+    def _part_of_room(self, chunk: Chunk) -> RoomPart:
+        """Return the part of the room that a phrase names."""
+        told = chunk.adjectives if chunk.kind == "part" or chunk.value == "room" else ()
+        part = self.zones.setdefault(" ".join((*told, chunk.value)).split()[0], RoomPart())
+        if chunk.kind in ("room", "corner") and chunk.value in small.AREAS:
+            part.area = part.area or chunk
+        return part
+
+    def _stands_for(self, chunk: Chunk) -> Mention | None:
+        """Return what stands for a part of the room to which a relation leads: "near the kitchen", where that is not all of the room."""
+        others = [fact for fact in self.said.facts if fact.kind == "room" and fact.value != chunk.value]
+        if chunk.value not in small.AREAS or (chunk.kind == "room" and not others):
+            return None
+        part = self._part_of_room(chunk)
+        if not part.things and part.first is None:
+            kind, count = next(iter(small.AREAS[chunk.value].items()))
+            part.first = self.said.implied(kind, count, chunk)
+        return part.things[0] if part.things else Mention(part.first) if part.first is not None else None
+
     def _new_zone(self, chunk: Chunk) -> None:
         """Forget what was spoken of: what a part of the room has belongs to no thing before it."""
-        name = " ".join((*chunk.adjectives, chunk.value)).split()[0]
         half = chunk.value == "side" and bool({*chunk.adjectives} & {*grammar().walls})
         if self.zone is None or not self.zone.half:  # "the front half is a play area with a rug"
-            self.zone = self.zones.setdefault(name, RoomPart())
+            self.zone = self._part_of_room(chunk)
+        elif chunk.kind == "corner":
+            self.zone.area = self.zone.area or chunk
         if half:
             self.zone.half, self.zone.place = True, (replace(chunk, kind="rel", value="in"), [place_of(chunk)])
         self.fronted = None if self.group else self.fronted
@@ -96,20 +140,15 @@ class Spoken:
 
     def _into_the_zone(self, chunk: Chunk, mention: Mention) -> None:
         """Note that a thing is in the part of the room that is spoken of; "the kitchen at the back and the sofa" leaves that."""
-        if self.zone is not None and self.zone.place and not self.zone.things and self._previous(chunk) == "and":
+        zone, before = self.zone, self._previous(chunk)
+        if (
+            zone is not None
+            and not zone.things
+            and (before == "and" if zone.place else zone.area and before in ("and", ","))
+        ):
             self.zone = None
         if self.zone is not None and not mention.thing.spans[1:]:
             self.zone.things.append(mention)
-
-    def _for_what(self, chunk: Chunk) -> None:
-        """Note what a part of the room is for of which nothing else is said: "a bedroom with an office area"."""
-        alone = chunk.value == "room" and chunk.det == "a" and self._ahead().kind in ("", "stop", "and", "comma")
-        if not alone or not chunk.adjectives or self._previous(chunk) not in ("", "and", ","):
-            return
-        meant = small.AREAS.get(chunk.adjectives[-1], "")
-        if meant and self.said.facts:
-            self.said.facts.append(replace(chunk, kind="corner", value=meant))
-            self._understood(chunk)
 
     def _is_zone(self, chunk: Chunk) -> bool:
         """Return whether a side is a part of the room by what one does there: "the living part is on the left"."""
@@ -223,7 +262,7 @@ class Spoken:
         also = [m for m in last.subjects if m.thing.count == 1 and m.thing not in named(subjects)]
         also = [m for m in also if any(kind.on_floor for kind in m.thing.noun.categories)]
         also = [m for m in also if not (bears and any(kind.on_object for kind in m.thing.noun.categories))]  # lamps
-        also = [m for m in also if beside or m.thing.category.size[2] < FLAT_HEIGHT]
+        also = [m for m in also if beside or m.flat]
         return [*also, *subjects] if beside or relation in ("front", "foot") else subjects
 
     def _last_of(self, heads: Sequence[str], own: set[NamedThing]) -> list[Mention]:

@@ -22,7 +22,7 @@ from robolayout.words._demander import Demander
 from robolayout.words._judged import Finding, Furnished, Unjudged, Verdict, met
 from robolayout.words._lexicon import KIN, Lexicon, grammar, plain
 from robolayout.words._places import openings, walls_meant
-from robolayout.words._said import Link, NamedThing, Place, mentions, place_in
+from robolayout.words._said import Link, NamedThing, Place, mentions, named, place_in
 from robolayout.words._tokens import Measure
 from robolayout.words.demands import Demand
 from robolayout.words.reading import Reading, read_text
@@ -118,9 +118,12 @@ class _RowMaker:
             yield from (self._size(thing, measure) for measure in thing.sizes)
         for place, span in parsed.openings:
             yield self._opening(place, self.reading.span(*span))
+        lacking = {thing for thing in parsed.things if thing.implied and not self.names.get(thing)}
         for thing in parsed.things:
-            yield self._count(thing)
+            yield from [] if thing in lacking else [self._count(thing)]
         for link in parsed.links:
+            if lacking & named(link.subjects):
+                continue
             row = self._relation(link)
             yield row
             yield from self._left_out(link, row)
@@ -138,7 +141,9 @@ class _RowMaker:
             yield as_row.unread("...", f"{self.reading.unread} further characters were not read")
 
     def _facts(self) -> Iterator[Unjudged]:
-        for chunk in self.reading.parsed.facts:
+        furnished = {thing.spans[0] for thing in self.reading.parsed.things if thing.implied and self.names.get(thing)}
+        furnished -= {(at.start, at.end) for at in [self.reading.placed] if at is not None}
+        for chunk in (fact for fact in self.reading.parsed.facts if (fact.start, fact.end) not in furnished):
             words = self.reading.span(chunk.start, chunk.end)
             if chunk.kind == "room":
                 yield self._room(chunk, words)
@@ -154,7 +159,7 @@ class _RowMaker:
             elif chunk.kind in ("people", "users"):
                 yield Unjudged(words, "people", "who uses the room", as_row.as_given)
             elif chunk.kind == "corner":
-                yield Unjudged(words, "relation", f"what belongs to a {chunk.value}", as_row.as_given)
+                yield Unjudged(words, "function", "a part of the room", as_row.taste)
             elif chunk.kind != "style":
                 yield Unjudged(words, chunk.kind, "what it is good for or made of", as_row.taste)
 
@@ -258,6 +263,8 @@ class _RowMaker:
         to = " and ".join(as_row.shown(item) for item in link.objects)
         said = [about, words, to] if about not in words.lower() else [to, "with", words] if to else [words]
         said = [words, about] if link.relation == "cleared" else said
+        implied = [mention for mention in link.subjects if mention.thing.implied]
+        said = [words] if implied and implied[0].thing.spans == [(link.start, link.end)] else said
         understanding = " ".join(said).strip()
         demands = self.demander.demands(link)
         if not demands and place_in(link.objects, "ceiling") and link.subjects:

@@ -13,7 +13,7 @@ from robolayout.assets.palette import STYLED, WOODS
 from robolayout.words._appositions import described
 from robolayout.words._chunk import Chunk
 from robolayout.words._chunks import PLACING, Chunker
-from robolayout.words._function_words import AFTER_A_PLACE, BORN, LEAST_SAID, ROUND, SAID_AS, SIBLINGS, YOUNG
+from robolayout.words._function_words import AFTER_A_PLACE, BORN, LEAST_SAID, ROUND, SAID_AS, SHARING, SIBLINGS, YOUNG
 from robolayout.words._kinds import settle_kinds
 from robolayout.words._lexicon import Lexicon, grammar
 from robolayout.words._parse import Parser
@@ -26,12 +26,11 @@ LONGEST = 4000
 BEFORE_A_PLACE = frozenset(("filler", "verb", "style", "measure", "comma", "colon", "pron", "other", "function"))
 """Kinds of chunks that may stand before the place that a text begins with."""
 
-SHARING, JOINING, OPEN = (
-    ("kitchen", "living room", "dining room", "office", "bedroom", "library"),
+JOINING, OPEN = (
     {"and", "with", "a", "an", ",", "&", "/"},
     {"open", "opening", "opens", "to", "into", "onto", "that", "is", "which"},
 )
-"""Rooms that may share one floor, and what stands between their names where they do, or where one opens to the other."""
+"""What stands between the names of rooms that share one floor, or where one opens to the other."""
 
 BENCHES, ABREAST = ("pew", "bench", "sofa", "booth"), 0.6
 """Last words of what several sit on, and metres of it that each is given (the judge counts a seat from less)."""
@@ -276,6 +275,8 @@ def _place_named(chunks: Sequence[Chunk], words: Sequence[Token]) -> tuple[int, 
         *more, last = said.split()
         last = more[-1] if last in ("interior", "room", "space") and more[-1:] and more[-1] in places else last
         part = chunk.kind == "part" and not (chunk.value == "door" and last in places and chunk.det == "a")
+        if chunk.kind == "corner" and not said.endswith("space"):  # "an office space"
+            return None
         other = part and (chunk.value not in ("room", "corner", "middle") or said == last)
         follows = chunks[i + 1].kind if i + 1 < len(chunks) else "stop"
         listed = follows == "comma" and chunk.noun is not None and not chunk.noun.guessed  # "a toilet, a sink"

@@ -45,7 +45,9 @@ class RoomType:
 
     def sharing(self, other: RoomType) -> RoomType:
         """Return it with what another room has, on one floor: an open plan kitchen and living room."""
-        base = Counter(self.base) + Counter(other.base)
+        own = bool(self.person) and not self.people  # who sleeps there is nobody more than those who eat there
+        brought = {name: count * other.people for name, count in other.person.items() if own}
+        base = Counter(self.base) + Counter(other.base) + Counter(brought)
         extras = Counter(self.extras) | Counter(other.extras)
         area = SHARED * (math.prod(self.size) + math.prod(other.size))
         return replace(
@@ -53,9 +55,9 @@ class RoomType:
             size=(math.sqrt(area * OBLONG), math.sqrt(area / OBLONG)),
             base=base,
             extras={name: count for name, count in extras.items() if name not in base},
-            person={**self.person, **other.person},
+            person={**self.person, **({} if own else other.person)},
             zones=(*self.zones, *other.zones),
-            people=max(self.people, other.people),
+            people=0 if own else max(self.people, other.people),
             tables=self.tables or other.tables,
         )
 
@@ -65,7 +67,6 @@ class RoomTypes:
     """Everything in `rooms.toml`."""
 
     rooms: Mapping[str, RoomType]  # room types by name
-    corners: Mapping[str, Mapping[str, int]]  # what a "reading corner" and the like consist of
     agents: Mapping[str, str]  # names of bodies by the words that mean them
     companions: Mapping[str, Mapping[str, int]]  # what a thing is of no use without
 
@@ -85,4 +86,4 @@ def _built_in() -> RoomTypes:
         for name, entry in data["rooms"].items()
     }
     bodies = {word: body for body, words in data["agents"].items() for word in words}
-    return RoomTypes(rooms, data["corners"], bodies, data["companions"])
+    return RoomTypes(rooms, bodies, data["companions"])
