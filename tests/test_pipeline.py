@@ -132,6 +132,13 @@ def test_what_a_program_forgets_is_said() -> None:
     assert report.notes == ("The program says nothing about desk[0], lamp[0].",), report.notes
 
 
+def test_what_of_a_program_was_read_otherwise_than_it_is_written_is_said() -> None:
+    program = "desk[0].position = [2, 2, 0.37]\ndesk[0].rotation = [0, 0, 90]\nsolver.on_top_of(lamp[0], desk[0])\n"
+    result = rl.generate(TINY, program=program)
+    assert result.report.notes[0].startswith("Rotations of line 2 were read as degrees: three numbers are radians")
+    assert result.layout["desk-0"].yaw == pytest.approx(math.pi / 2)
+
+
 def test_a_scene_for_nobody_is_refused() -> None:
     with pytest.raises(rl.RoboLayoutError, match="agents is empty; name at least one body"):
         replace(rl.scene_from_dict(TINY), agents=())

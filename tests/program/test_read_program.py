@@ -136,8 +136,25 @@ def test_example_of_every_relation_reads(scene):
         assert again.statements[0].relation == statement.relation
 
 
+def test_three_numbers_that_no_radians_are_were_meant_as_degrees(scene):
+    """Models write [0, 0, -90]; 12.5 are still radians. What was made of it is remarked with its line."""
+    text = "chair[0].rotation = [0, 0, -90]\nchair[1].rotation = [0, 0, 12.5]\nchair[2].rotation = [0, 0, 270]\n"
+    program = read_program(text, scene)
+    assert [math.degrees(guess.yaw) for guess in program.guesses.values()] == [-90, pytest.approx(716.2, abs=0.1), 270]
+    assert program.remarks == (
+        "Rotations of line 1, 3 were read as degrees: three numbers are radians, and -90 radians are more than two turns; "
+        "write [-90] or [0, 0, radians(-90)].",
+    )
+
+
+def test_a_class_of_ones_own_has_what_it_is_given(scene):
+    text = "class Zone:\n    def __init__(self, x):\n        self.x = x\n        self.x += 1\n"
+    program = read_program(text + "zone = Zone(1)\nzone.bed = bed[0]\nzone.bed.position = [zone.x, 2, 0.5]\n", scene)
+    assert program.guesses == {"bed-0": Guess((2.0, 2.0, 0.5))}
+
+
 @settings(max_examples=25, deadline=None)
-@given(st.floats(-1e4, 1e4), st.floats(-100, 100), st.floats(0, 1e6), st.integers(0, 3), st.integers(0, 3))
+@given(st.floats(-1e4, 1e4), st.floats(-12.5, 12.5), st.floats(0, 1e6), st.integers(0, 3), st.integers(0, 3))
 def test_numbers_survive_exactly(x, yaw, weight, chair, wall):
     room = furnished()
     text = (
@@ -238,7 +255,14 @@ MISTAKES = {
     "bed[0].position = [float('nan'), 0, 0]": ("bed[0].position = [nan, 0, 0]: every number must be finite", 0),
     "bed[0].position = [1e9, 0, 0]": ("every number must be finite and within 10000", 0),
     "bed[0].rotation = [0, 90]": ("bed[0].rotation is [degrees] or [0, 0, radians(degrees)]", 0),
-    "bed[0].name = 'gold'\nsolver.corner(bed[0])": ("takes an asset of the scene, not one that was changed", 14),
+    "bed[0].position = [1, 2, 0.5, 0]": ("three numbers, x, y, z in metres, not 4", 0),
+    "bed[0].name = 'gold'": ("bed[0] has no 'name' to set; of a thing position and rotation can be set", 0),
+    "for thing in assets:\n    thing.posiiton = [1, 2, 0.5]": ("bed[0] has no 'posiiton' to set", 4),
+    "walls[0].position = [1, 2]": ("walls[0] has no 'position' to set", 0),
+    "x = bed[0].dimensions": ("a thing has no 'dimensions'; it has position, rotation, depth, width, height", 4),
+    "x = walls[1].angle": ("a wall has no 'angle'; it has start, end, midpoint, normal, length and index", 4),
+    "x = room.width": ("the room has no 'width'; it has center, min_x, max_x, min_y, max_y and wall_height", 4),
+    "solver.any_of(solver.corner(bed[0], 0), solver.corner(bed[0], 1))": ("any_of takes 1 argument (choices), not 2", 40),
     "x = chair.size": ("a list of assets has no 'size'; pick one of it, such as bed[0]", 4),
     "x = {}['a']": ("there is no key 'a'", 4),
     "x = walls[bed[0]]": ("list indices must be integers or slices, not asset", 4),

@@ -238,6 +238,23 @@ def test_what_looks_at_something_agrees_with_a_wall_where_the_guesses_say_so(x, 
     assert last("against_wall(bed[0], walls[2])", call, before=places)[0] == verdict
 
 
+@pytest.mark.parametrize(
+    ("second", "verdict"),
+    [
+        ("align_with(chair[0], walls[0], 120)", "accepted"),  # far from the middle of what it meets
+        ("align_with(chair[0], walls[0], 90)", "rejected"),  # along the wall
+        ("align_with(chair[0], chair[1])", "accepted"),  # which looks at the wall, too, from elsewhere
+    ],
+)
+def test_a_front_that_shall_meet_a_wall_has_a_choice_of_headings(second, verdict):
+    """Whichever is said first: neither contradicts the other."""
+    places = "chair[0].position = [1, 1, 0.45]\nchair[1].position = [1, 4.4, 0.45]\n"
+    looks = ("point_towards(chair[1], walls[3])", "point_towards(chair[0], walls[3])")
+    assert last(*looks, second, before=places)[0] == verdict
+    if verdict == "accepted":
+        assert [decision.verdict for decision in decide(looks[0], second, looks[1], before=places)] == [verdict] * 3
+
+
 @pytest.mark.parametrize("calls", ACCEPTED, ids=range(len(ACCEPTED)))
 def test_what_can_be_true_is_left_alone(calls):
     assert [(d.verdict, d.reason, d.replacement) for d in decide(*calls)] == [("accepted", "as asked", None)] * len(

@@ -72,7 +72,8 @@ def _bind(
     """Return (place in the call, value) by argument name."""
     names = list(specs)
     if len(given) > len(names):
-        raise ArgumentError(f"{name} takes {len(names)} arguments ({', '.join(names)}), not {len(given)}", len(names))
+        takes = f"{len(names)} argument{'s' * (len(names) > 1)} ({', '.join(names)})"
+        raise ArgumentError(f"{name} takes {takes}, not {len(given)}", len(names))
     bound: dict[str, tuple[int | str, Recorded]] = {names[i]: (i, value) for i, value in enumerate(given)}
     for word, value in named:
         key = word if word in specs else OTHER_NAMES.get(word, word)

@@ -15,7 +15,7 @@ import math
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, NamedTuple
 
-from shapely import LineString, Point, Polygon
+from shapely import Point, Polygon
 
 from robolayout.assets import resting_place
 from robolayout.constraints import TOLERANCE, AssetRef, PointRef, Ref, Relation, WallRef
@@ -86,6 +86,7 @@ class Heading(NamedTuple):
 
     frame: str
     yaw: float
+    slack: float = 0.0  # by how much it may be off either way: a front that shall hit something has a choice
 
 
 def heading_gap(known: Accepted, relation: Relation, name: str) -> float | None:
@@ -97,9 +98,8 @@ def heading_gap(known: Accepted, relation: Relation, name: str) -> float | None:
     wanted = _implied(known, relation, ())
     if wanted is None or wanted.frame != first.frame:
         return None
-    if isinstance(relation, PointTowards) and _looks_at(known, relation, first.yaw):
-        return 0.0
-    return abs(math.degrees(math.remainder(wanted.yaw - first.yaw, math.tau)))
+    off = abs(math.remainder(wanted.yaw - first.yaw, math.tau))
+    return 0.0 if off <= wanted.slack + first.slack else math.degrees(off)
 
 
 def heading_of(known: Accepted, name: str, above: tuple[str, ...] = ()) -> Heading:
@@ -120,30 +120,29 @@ def _implied(known: Accepted, relation: Relation, above: tuple[str, ...]) -> Hea
             base = heading_of(known, relation.b.name, above)
         return base._replace(yaw=base.yaw + math.radians(relation.angle))
     if isinstance(relation, PointTowards):
-        here, there = _place(known, relation.a), _place(known, relation.b)
-        if here and there and here != there:
-            return Heading(ROOM, _yaw((there[0] - here[0], there[1] - here[1])) + math.radians(relation.angle))
+        here = _place(known, relation.a)
+        seen = _seen(known, here, relation.b) if here else None
+        return seen and seen._replace(yaw=seen.yaw + math.radians(relation.angle))
     return None
 
 
-def _looks_at(known: Accepted, relation: PointTowards, yaw: float) -> bool:
-    """Return whether the front of a thing with that yaw, turned back by the angle, hits what it shall look at."""
-    x, y = _place(known, relation.a) or (0.0, 0.0)
-    yaw, (x0, y0, x1, y1) = yaw - math.radians(relation.angle), known.scene.room.bounds
-    far = math.hypot(x1 - x0, y1 - y0) + math.hypot(x - x0, y - y0)
-    ray = LineString([(x, y), (x + far * math.cos(yaw), y + far * math.sin(yaw))])
-    if isinstance(relation.b, WallRef):
-        wall = known.scene.room.walls[relation.b.index]
-        return ray.intersects(LineString([wall.start, wall.end]))
-    place = _place(known, relation.b)  # the disc there that a thing covers whatever its heading
-    radius = inner_radius(known.scene.by_name[relation.b.name]) if isinstance(relation.b, AssetRef) else 0.0
-    return place is not None and ray.intersects(Point(place).buffer(radius))
+def _seen(known: Accepted, here: tuple[float, float], ref: Ref) -> Heading | None:
+    """Return at which headings a front hits something from a place: a wall, or the disc that a thing covers whatever its heading."""
+    if isinstance(ref, WallRef):
+        wall = known.scene.room.walls[ref.index]
+        first, second = (_yaw((x - here[0], y - here[1])) for x, y in (wall.start, wall.end))
+        half = math.remainder(second - first, math.tau) / 2
+        return Heading(ROOM, first + half, abs(half))
+    there = _place(known, ref)
+    if there is None or there == here:
+        return None
+    radius = inner_radius(known.scene.by_name[ref.name]) if isinstance(ref, AssetRef) else 0.0
+    half = math.asin(min(radius / math.dist(here, there), 1.0))
+    return Heading(ROOM, _yaw((there[0] - here[0], there[1] - here[1])), half)
 
 
 def _place(known: Accepted, ref: Ref) -> tuple[float, float] | None:
-    """Return where something is: a wall's middle, a point, a thing's first guess."""
-    if isinstance(ref, WallRef):
-        return known.scene.room.walls[ref.index].midpoint
+    """Return where something is: a point, a thing's first guess."""
     if isinstance(ref, PointRef):
         return (ref.x, ref.y)
     return known.program.place(ref.name)

@@ -27,6 +27,7 @@ class ReadingConfig:
     dropped: int = 40
     farthest: float = 1e4  # metres from the origin beyond which a position is a mistake
     largest: float = 1e6  # largest number in an argument, in its own unit
+    turned: float = 4 * math.pi  # radians beyond which a number that should be radians is read as degrees
 
 
 READING = ReadingConfig()
@@ -84,6 +85,7 @@ class Program:
     # how each asset is written in program text, by name ("bed-0": "bed[0]")
     expressions: Mapping[str, str] = field(default_factory=dict[str, str], compare=False, repr=False)
     wishes: tuple[Statement, ...] = ()  # what it would like, and no more; each with its weight
+    remarks: tuple[str, ...] = ()  # what was read otherwise than it is written, in sentences
 
     @property
     def complete(self) -> bool:

@@ -16,6 +16,9 @@ from robolayout.program._source import ProgramSource, TextPlace, read_source, wi
 from robolayout.scene import Scene
 
 
+Odd = list[tuple[int, float]]  # lines with a rotation that no radians are, and its third number
+
+
 def read_program(text: str, scene: Scene, limits: ProgramLimits | None = None) -> Program:
     """Return the statements and guesses of a program for `scene`.
 
@@ -33,10 +36,13 @@ def read_program(text: str, scene: Scene, limits: ProgramLimits | None = None) -
     said = _Said(recorded["log"], set(recorded["inner"]), source, scene)
     written = scene.expressions
     poses = dict(zip(written, recorded["poses"], strict=True))
-    guesses = {asset.name: _guess(written[asset.name], poses[asset.name], source) for asset in scene.assets}
+    odd: Odd = []
+    guesses = {asset.name: _guess(written[asset.name], poses[asset.name], source, odd) for asset in scene.assets}
     guesses = {name: guess for name, guess in guesses.items() if guess != Guess()}
     notes, wishes = tuple(recorded["notes"]), said.statements(wishes=True)
-    return Program(source.text, said.statements(), guesses, notes, expressions=written, wishes=wishes)
+    return Program(
+        source.text, said.statements(), guesses, notes, expressions=written, wishes=wishes, remarks=_remarks(odd)
+    )
 
 
 def read_salvaged(text: str, scene: Scene, limits: ProgramLimits | None = None) -> Program:
@@ -119,24 +125,38 @@ def _argument(site: TextPlace, argument: int | str | None) -> ast.expr | None:
     return None if starred or argument >= len(site.call.args) else site.call.args[argument]
 
 
-def _guess(expression: str, recorded: list[Any], source: ProgramSource) -> Guess:
+def _guess(expression: str, recorded: list[Any], source: ProgramSource, odd: Odd) -> Guess:
     """Return the guess for one asset; an empty one if the program says nothing about it."""
     place, turn, place_site, turn_site = recorded
     position = None if place is None else _vector(place, f"{expression}.position", _site(source, place_site), source)
     if position is not None and len(position) != 3:
         where = _site(source, place_site)
-        raise source.error(f"{expression}.position is three numbers, x, y, z in metres", where.line, where.column)
-    yaw = None if turn is None else _yaw(turn, expression, _site(source, turn_site), source)
+        wanted = f"{expression}.position is three numbers, x, y, z in metres, not {len(position)}"
+        raise source.error(wanted, where.line, where.column)
+    yaw = None if turn is None else _yaw(turn, expression, _site(source, turn_site), source, odd)
     return Guess((position[0], position[1], position[2]) if position else None, yaw)
 
 
-def _yaw(recorded: Recorded, expression: str, site: TextPlace, source: ProgramSource) -> float:
-    """Return the yaw in radians: one number is degrees, three are radians about x, y and z."""
+def _yaw(recorded: Recorded, expression: str, site: TextPlace, source: ProgramSource, odd: Odd) -> float:
+    """Return the yaw in radians: one number is degrees, three are radians about x, y and z, unless these are far too many."""
     turns = ["list", [recorded]] if recorded[0] == "number" else recorded
     numbers = _vector(turns, f"{expression}.rotation", site, source)
     if len(numbers) not in (1, 3):
         raise source.error(f"{expression}.rotation is [degrees] or [0, 0, radians(degrees)]", site.line, site.column)
-    return math.radians(numbers[0]) if len(numbers) == 1 else numbers[2]
+    if len(numbers) == 3 and abs(numbers[2]) <= READING.turned:
+        return numbers[2]
+    if len(numbers) == 3:
+        odd.append((site.line, numbers[2]))
+    return math.radians(numbers[-1])
+
+
+def _remarks(odd: Odd) -> tuple[str, ...]:
+    """Return what to say of rotations that were read as degrees."""
+    if not odd:
+        return ()
+    lines, (_, first) = ", ".join(map(str, sorted({line for line, _ in odd}))), odd[0]
+    why = f"three numbers are radians, and {first:g} radians are more than two turns"
+    return (f"Rotations of line {lines} were read as degrees: {why}; write [{first:g}] or [0, 0, radians({first:g})].",)
 
 
 def _vector(recorded: Recorded, what: str, site: TextPlace, source: ProgramSource) -> list[float]:

@@ -24,6 +24,12 @@ from robolayout.scene import Scene
 if TYPE_CHECKING:
     from pydantic_monty import MontyError
 
+HAS = {
+    "Asset": ("a thing", "position, rotation, depth, width, height, size, category and name"),
+    "Wall": ("a wall", "start, end, midpoint, normal, length and index"),
+    "Room": ("the room", "center, min_x, max_x, min_y, max_y and wall_height"),
+}
+"""What programs may look at, for messages."""
 PROGRAM_FEED = "<python-input-1>"  # what the interpreter calls the second feed: the program
 RESULT = "_rl_result()"  # the expression that reads everything back as one JSON text
 
@@ -108,6 +114,9 @@ def _translate(
         text = f"programs cannot reach files ({text})"
     elif isinstance(inner, AttributeError) and (match := re.match(r"'list' object has no attribute '(\w+)'", text)):
         text = f"a list of assets has no {match[1]!r}; pick one of it, such as bed[0]"
+    elif isinstance(inner, AttributeError) and (match := re.match(r"'_rl_(\w+)' object has no attribute '(\w+)'", text)):
+        if match[1] in HAS:
+            text = "{0} has no {name!r}; it has {1}".format(*HAS[match[1]], name=match[2])
     elif isinstance(inner, KeyError):
         text = f"there is no key {text}"
     return source.error(re.sub(r"_rl_(\w+)", lambda name: name[1].lower(), text), line, column)

@@ -223,7 +223,8 @@ def _refusal(node: ast.AST, relations: Collection[str], variables: Collection[st
     if isinstance(node, ast.Yield | ast.YieldFrom | ast.Await | ast.AsyncFunctionDef | ast.AsyncFor | ast.AsyncWith):
         return "generators and async code do not exist in programs; use a list"
     for name in _identifiers(node):
-        if name.startswith(("__", "_rl_")) and name.strip("_"):
+        method = name == "__init__" and isinstance(node, ast.FunctionDef)
+        if name.startswith(("__", "_rl_")) and name.strip("_") and not method:
             return f"{name!r}: names that start with two underscores or with _rl_ do not exist in programs"
     return None
 
@@ -254,7 +255,8 @@ def _marks(
     """Return the sites of the text and the marks to insert.
 
     `x.against_wall` becomes `_rl_at(x, site).against_wall`, `x.position` and `x.rotation` become
-    `_rl_one(x, "position", site).position` (no site when it is only read), `x.placements` becomes `_rl_all(x).placements`.
+    `_rl_one(x, "position", site).position` (no site when it is only read), `x.placements` becomes `_rl_all(x).placements`;
+    where anything else is assigned, `x.name` becomes `_rl_own(x, "name").name`.
     """
     calls = {id(node.func): node for node in ast.walk(tree) if isinstance(node, ast.Call)}
     sites: list[TextPlace] = []
@@ -267,6 +269,8 @@ def _marks(
             opening, closing = "_rl_one(", f", {node.attr!r}, {site})"
         elif node.attr == "placements":
             opening, closing = "_rl_all(", ")"
+        elif isinstance(node.ctx, ast.Store):
+            opening, closing = "_rl_own(", f", {node.attr!r})"
         else:
             continue
         edits += _around(node.value, lines, opening, closing)

@@ -143,6 +143,7 @@ class Run:
             report = replace(report, planner=who)
         elif forgotten := best.asked.forgotten():
             report = report.with_notes((f"The program says nothing about {', '.join(forgotten)}.",))
+        report = report.with_notes(best.asked.remarks)
         found = Result(self.scene, layout, report, best.asked, best.reconciled, groups, best.solution)
         return dressed(found, self.scene.dress, seed=self.seed)
 

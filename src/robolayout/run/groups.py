@@ -278,7 +278,8 @@ def joined(parts: Sequence[tuple[Group, Program]]) -> Program:
     expressions = {name: text for _, part in parts for name, text in part.expressions.items()}
     notes = tuple(note for _, part in parts for note in part.notes)
     dropped = tuple(message for _, part in parts for message in part.dropped)
-    return Program(text, tuple(statements), guesses, notes, dropped, expressions, tuple(wishes))
+    remarks = tuple(remark for _, part in parts for remark in part.remarks)
+    return Program(text, tuple(statements), guesses, notes, dropped, expressions, tuple(wishes), remarks)
 
 
 def _concerns(statement: Statement, mine: set[str], here: Scene) -> bool:
