@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 import robolayout as rl
 from robolayout.run.conflicts import conflicts
 from robolayout.scene import Layout, Pose
+from robolayout.solve import compile_problem
 
 SCENE: dict[str, Any] = {
     "task_description": "Two wardrobes.",
@@ -60,3 +62,44 @@ def test_what_is_met_lost_to_nothing() -> None:
 def test_the_same_seed_tells_the_same() -> None:
     first, second = (rl.generate(SCENE, program=BOTH_AT_ONE_WALL, seed=3).report.violations for _ in "ab")
     assert first == second
+
+
+KITCHEN: dict[str, Any] = SCENE | {
+    "task_description": "A kitchen.",
+    "assets": {
+        "stove-0": {
+            "category": "stove",
+            "onFloor": True,
+            "assetMetadata": {"boundingBox": {"x": 0.6, "y": 0.6, "z": 0.9}},
+        },
+        "hood-0": {
+            "category": "range hood",
+            "onWall": True,
+            "assetMetadata": {"boundingBox": {"x": 0.45, "y": 0.6, "z": 0.4}},
+        },
+        "clock-0": {
+            "category": "clock",
+            "onWall": True,
+            "assetMetadata": {"boundingBox": {"x": 0.05, "y": 0.9, "z": 0.4}},
+        },
+    },
+}
+OVER_THE_STOVE = "solver.against_wall(stove[0], walls[0])\nsolver.above(hood[0], stove[0])\n"
+
+
+def test_what_hangs_at_a_wall_is_tried_at_the_wall_behind_what_it_shall_hang_above() -> None:
+    """Not in the air before it, where it lost to that; what hangs there already is named."""
+    scene = rl.scene_from_dict(KITCHEN)
+    reconciled = rl.reconcile(rl.read_program(OVER_THE_STOVE, scene), scene)
+    half, stove = math.pi / 2, Pose(2.0, 0.3, 0.45, math.pi / 2)
+    poses = {"stove-0": stove, "hood-0": Pose(0.225, 3.0, 1.5, 0.0), "clock-0": Pose(3.0, 0.025, 1.5, half)}
+    assert conflicts(scene, reconciled, Layout(poses), {})[2].startswith("nothing that was found")
+    taken = poses | {"clock-0": Pose(2.0, 0.025, 1.5, half)}
+    assert conflicts(scene, reconciled, Layout(taken), {})[2].startswith("hood-0 and clock-0 overlap")
+
+
+def test_what_hangs_above_a_thing_at_a_wall_is_held_at_that_wall() -> None:
+    scene = rl.scene_from_dict(KITCHEN)
+    guess = "hood[0].position = [0.225, 3.0, 1.5]\nclock[0].position = [0.025, 1.0, 1.5]\n"
+    problem = compile_problem(scene, rl.read_program(guess + OVER_THE_STOVE, scene))
+    assert {str(row.a): str(row.b) for row in problem.wall_terms} == {"hood-0": "walls[0]", "clock-0": "walls[3]"}

@@ -262,7 +262,10 @@ MISTAKES = {
     "x = bed[0].dimensions": ("a thing has no 'dimensions'; it has position, rotation, depth, width, height", 4),
     "x = walls[1].angle": ("a wall has no 'angle'; it has start, end, midpoint, normal, length and index", 4),
     "x = room.width": ("the room has no 'width'; it has center, min_x, max_x, min_y, max_y and wall_height", 4),
-    "solver.any_of(solver.corner(bed[0], 0), solver.corner(bed[0], 1))": ("any_of takes 1 argument (choices), not 2", 40),
+    "solver.any_of(solver.corner(bed[0], 0), solver.corner(bed[0], 1))": (
+        "any_of takes 1 argument (choices), not 2",
+        40,
+    ),
     "x = chair.size": ("a list of assets has no 'size'; pick one of it, such as bed[0]", 4),
     "x = {}['a']": ("there is no key 'a'", 4),
     "x = walls[bed[0]]": ("list indices must be integers or slices, not asset", 4),

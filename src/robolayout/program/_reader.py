@@ -15,7 +15,6 @@ from robolayout.program._sandbox import run
 from robolayout.program._source import ProgramSource, TextPlace, read_source, without_line
 from robolayout.scene import Scene
 
-
 Odd = list[tuple[int, float]]  # lines with a rotation that no radians are, and its third number
 
 

@@ -114,7 +114,9 @@ def _translate(
         text = f"programs cannot reach files ({text})"
     elif isinstance(inner, AttributeError) and (match := re.match(r"'list' object has no attribute '(\w+)'", text)):
         text = f"a list of assets has no {match[1]!r}; pick one of it, such as bed[0]"
-    elif isinstance(inner, AttributeError) and (match := re.match(r"'_rl_(\w+)' object has no attribute '(\w+)'", text)):
+    elif isinstance(inner, AttributeError) and (
+        match := re.match(r"'_rl_(\w+)' object has no attribute '(\w+)'", text)
+    ):
         if match[1] in HAS:
             text = "{0} has no {name!r}; it has {1}".format(*HAS[match[1]], name=match[2])
     elif isinstance(inner, KeyError):

@@ -11,8 +11,9 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
-from robolayout.constraints import Relation
+from robolayout.constraints import AssetRef, Relation
 from robolayout.program import Program, Reconciled, Statement
 from robolayout.scene import Layout, Scene
 from robolayout.solve import Proposals, carry, compile_problem
@@ -82,13 +83,20 @@ class _Looker:
         found: list[Layout] = []
         for name in statement.relation.asset_names():
             slot = self.problem.slot[name]
+            hung = any(row.a == AssetRef(name) for row in self.problem.wall_terms)
             for pose in self.proposals.draw(slot, self.problem.start, CONFLICTS.drawn, self.rng):
                 world = self.problem.start.copy()
-                carry(self.problem, world, slot, pose)
+                carry(self.problem, world, slot, self._hung(slot, pose) if hung else pose)
                 layout = self.problem.layout(world)
                 if len(found) < CONFLICTS.looked_at and statement.relation.check(self.scene, layout).met:
                     found.append(layout)
         return found
+
+    def _hung(self, slot: int, pose: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Return a pose (4,) moved to the nearest wall, its back there: what hangs at walls holds nowhere else."""
+        at = (float(pose[0]), float(pose[1]))
+        wall = min(self.scene.room.walls, key=lambda wall: wall.distance(at))
+        return np.array([*wall.point(wall.place(at)[0], self.problem.half[slot][0]), *wall.normal])
 
     def _standing(self, layout: Layout) -> tuple[set[Any], set[Any], set[Any]]:
         """Return what is wrong in a layout: sentences, names of what is out of reach, numbers of what is unmet."""

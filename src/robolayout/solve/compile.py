@@ -17,6 +17,7 @@ from shapely import Point
 
 from robolayout.assets import Surface, place_of, resting_place, surfaces_of
 from robolayout.constraints import IMPLICIT, AssetRef, FrameTerm, MirrorTerm, Relation, Term, WallRef
+from robolayout.constraints.above import Above
 from robolayout.constraints.against_wall import wall_term
 from robolayout.constraints.behind import Behind
 from robolayout.constraints.in_front_of import InFrontOf
@@ -112,15 +113,17 @@ class Problem:
 
     @cached_property
     def wall_terms(self) -> tuple[FrameTerm, ...]:
-        """Rows that hold wall things, which no statement puts on a wall, at the wall nearest to their guess."""
-        held = {row.a for row in self.statement_terms if isinstance(row, FrameTerm) and isinstance(row.b, WallRef)}
+        """Rows that hold wall things, which no statement puts on a wall, at the wall of what they hang above, or nearest to their guess."""
+        rows = [row for row in self.statement_terms if isinstance(row, FrameTerm) and isinstance(row.b, WallRef)]
+        held, backed = {row.a for row in rows}, {row.a: row.b for row in rows if row.heading is not None}
+        over = {one.a: backed[one.b] for one in self.relations if isinstance(one, Above) and one.b in backed}
         found: list[FrameTerm] = []
         for asset, carrier in zip(self.scene.assets, self.parent, strict=True):
             ref, at = AssetRef(asset.name), self.guess[asset.name].at
             if asset.on_wall and not asset.on_floor and carrier < 0 and ref not in held:
                 wide = [wall for wall in self.scene.room.walls if wall.length >= asset.size[1]] or self.scene.room.walls
                 nearest = min(wide, key=lambda wall: wall.distance(at))
-                found.append(wall_term(ref, WallRef(nearest.index), self.scene, 2.0))
+                found.append(wall_term(ref, over.get(ref, WallRef(nearest.index)), self.scene, 2.0))
         return tuple(found)
 
     def movable(self, number: int) -> tuple[int, ...]:
