@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 import json
+import os
 import subprocess
 import sys
 from pathlib import Path
+
+import pytest
 
 from running import ROOT
 
@@ -63,3 +66,28 @@ def test_a_file_without_a_constraint_is_refused(tmp_path: Path) -> None:
     assert ran.returncode == 2
     assert "mine.py defines no relation" in ran.stderr
     assert not (tmp_path / "out").exists()
+
+
+@pytest.mark.parametrize(
+    ("kind", "names", "command", "said"),
+    [
+        ("constraints", "no_such_module:X", ("constraints",), "cannot be loaded: ModuleNotFoundError: No module named"),
+        ("constraints", "json:dumps", ("constraints",), "is no Relation"),
+        ("agents", "no_such_module:X", ("agents", "odd"), "cannot be loaded: ModuleNotFoundError: No module named"),
+        ("agents", "json:dumps", ("agents", "odd"), "is no agent: a dictionary or a path"),
+    ],
+)
+def test_what_an_installed_package_registers_wrongly_is_put_down_to_that_package(
+    tmp_path: Path, kind: str, names: str, command: tuple[str, ...], said: str
+) -> None:
+    info = tmp_path / "odd_pack-1.0.dist-info"
+    info.mkdir()
+    (info / "METADATA").write_text("Metadata-Version: 2.1\nName: odd-pack\nVersion: 1.0\n")
+    (info / "entry_points.txt").write_text(f"[robolayout.{kind}]\nodd = {names}\n")
+    path = os.pathsep.join([str(tmp_path), *filter(None, sys.path)])
+    words = [sys.executable, "-m", "robolayout", *command]
+    ran = subprocess.run(words, env={**os.environ, "PYTHONPATH": path}, capture_output=True, text=True, check=False)
+    assert ran.returncode == 2, ran.stderr
+    where = f"robolayout: the entry point 'odd' ({names}) in robolayout.{kind}, of odd-pack, "
+    assert ran.stderr.startswith(where + said), ran.stderr
+    assert "Correct or uninstall that package." in ran.stderr

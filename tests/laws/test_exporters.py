@@ -16,7 +16,7 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from robolayout._errors import LayoutError, MissingExtraError, OutputError, UnknownNameError
+from robolayout._errors import InputError, LayoutError, MissingExtraError, OutputError, UnknownNameError
 from robolayout.export import EXPORTERS, Exporter, Options, export, exporters, find_exporter, to_bytes
 from robolayout.scene import DEFAULT_AGENT, Asset, Layout, Opening, Pose, Room, Scene
 
@@ -265,6 +265,17 @@ def test_other_packages_register_formats(monkeypatch: pytest.MonkeyPatch) -> Non
     try:
         assert to_bytes(SCENE, LAYOUT, "names").decode().split() == list(LAYOUT)
         assert set(exporters()) == {*EXPORTERS, "names"}
+    finally:
+        exporters.cache_clear()
+
+
+def test_what_another_package_registers_wrongly_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
+    odd = EntryPoint("odd", "json:dumps", package.GROUP)
+    monkeypatch.setattr(package, "entry_points", lambda group: [odd])
+    exporters.cache_clear()
+    try:
+        with pytest.raises(InputError, match=r"the entry point 'odd' \(json:dumps\) .* is no Exporter"):
+            to_bytes(SCENE, LAYOUT, "odd")
     finally:
         exporters.cache_clear()
 

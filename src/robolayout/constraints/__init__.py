@@ -3,6 +3,7 @@
 from importlib import import_module
 from importlib.metadata import entry_points
 
+from robolayout._reading.plugins import loaded
 from robolayout.constraints._exact import TOLERANCE as TOLERANCE
 from robolayout.constraints._refs import AssetRef as AssetRef
 from robolayout.constraints._refs import PointRef as PointRef
@@ -43,4 +44,4 @@ keep_clear zone at_window by_door mid_wall snug grouped toward in_rows in_shape 
 for _word in _BUILT_IN.split():
     register(*own_relations(import_module(f"{__name__}.{_word}")))
 for _point in entry_points(group="robolayout.constraints"):
-    register(_point.load())
+    register(loaded(_point, "Relation", lambda found: isinstance(found, type) and issubclass(found, Relation)))

@@ -18,6 +18,7 @@ from types import MappingProxyType
 
 from robolayout._errors import UnknownNameError
 from robolayout._files import write_together
+from robolayout._reading.plugins import loaded
 from robolayout._text import file_name
 from robolayout.export._exporter import LEAVES as LEAVES
 from robolayout.export._exporter import Contents as Contents
@@ -51,8 +52,9 @@ GROUP = "robolayout.exporters"  # entry point group under which other packages r
 @cache
 def exporters() -> Mapping[str, Exporter]:
     """Return all formats by name: those of this package, then those that other installed packages register."""
-    outside = (point.load() for point in sorted(entry_points(group=GROUP), key=lambda point: point.name))
-    found = {exporter.name: exporter for exporter in outside if isinstance(exporter, Exporter)}
+    points = sorted(entry_points(group=GROUP), key=lambda point: point.name)
+    outside = (loaded(point, "Exporter", lambda found: isinstance(found, Exporter)) for point in points)
+    found = {exporter.name: exporter for exporter in outside}
     return MappingProxyType({**found, **EXPORTERS})
 
 

@@ -18,6 +18,7 @@ from typing import Any
 
 from robolayout._errors import AgentError, UnknownNameError
 from robolayout._reading import LIMITS, Checker, show
+from robolayout._reading.plugins import loaded
 from robolayout.scene.agent import BODY, Agent, Source
 from robolayout.scene.room import Room
 
@@ -71,7 +72,9 @@ def built_in_agent(name: str) -> Agent:
     outside = _outside()
     if name not in outside:
         raise UnknownNameError("agent", name[:100], agent_names())
-    found = outside[name].load()
+    found = loaded(
+        outside[name], "agent: a dictionary or a path", lambda found: isinstance(found, (Mapping, str, Path))
+    )
     return agent_from_dict(found, name=name) if isinstance(found, Mapping) else _load_profile(Path(found))
 
 
