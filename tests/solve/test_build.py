@@ -66,6 +66,33 @@ def test_a_wish_comes_true_where_nothing_is_against_it(wish: str, holds: str) ->
     assert report.statements[0].met, report.statements[0].text
 
 
+@pytest.mark.parametrize(("word", "numbers"), [("corner", (1, 2)), ("corner", (3, 1)), ("at_window", (0, 1))])
+@pytest.mark.parametrize("weights", [(5, 1), (1, 5)])
+def test_of_two_corners_or_windows_that_are_wished_the_weightier_one_is_taken(
+    word: str, numbers: tuple[int, int], weights: tuple[int, int]
+) -> None:
+    windows = (Opening(2, 1.0, 1.4, 1.2, 0.9), Opening(0, 2.5, 1.4, 1.2, 0.9))
+    scene = Scene(replace(ROOM, windows=windows), (DESK,))
+    wishes = (f"solver.wish.{word}(desk[0], {n}, weight={w})\n" for n, w in zip(numbers, weights, strict=True))
+    program = read_program("solver.against_wall(desk[0])\n" + "".join(wishes), scene)
+    found = verify(scene, compile_problem(scene, program).guess, program).to_dict()["wishes"]
+    assert [wish["holds"] for wish in found] == [weight == 5 for weight in weights]
+
+
+@pytest.mark.parametrize(
+    ("demand", "wish"),
+    [
+        ("in_rows(chair, aisle=0.9, gap=0.1, rows=2)", "in_shape(chair, 'circle', "),
+        ("in_shape(chair)", "in_rows(chair, 0.9, "),
+    ],
+)
+def test_a_block_that_is_demanded_goes_before_one_that_is_wished(demand: str, wish: str) -> None:
+    scene = Scene(ROOM, tuple(Asset(f"chair-{i}", "chair", (0.5, 0.5, 0.9)) for i in range(6)))
+    program = read_program(f"solver.{demand}\nsolver.wish.{wish}weight=50)", scene)
+    report = verify(scene, compile_problem(scene, program).guess, program)
+    assert report.statements[0].met, report.statements[0].text
+
+
 def test_wishes_are_reported_apart_and_never_demanded() -> None:
     program = read_program("solver.against_wall(desk[0])\nsolver.wish.centered_on(desk[0], room, weight=-2)", SCENE)
     assert [statement.wish for statement in program.wishes] == [-2.0] and len(program.statements) == 1

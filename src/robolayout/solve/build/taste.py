@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 
 import numpy as np
 import shapely
 from numpy.typing import NDArray
 
+from robolayout.constraints.at_window import AtWindow
 from robolayout.constraints.by_door import doorways
+from robolayout.constraints.corner import Corner
+from robolayout.scene import Room
 from robolayout.solve.build.form import corners_of
 from robolayout.solve.build.member import box_of
 from robolayout.solve.build.places import Places, targets
@@ -41,9 +44,21 @@ def taste(site: Site, batch: Places, weights: Mapping[str, float]) -> Cost:
     if weights.get("middle"):
         x, y = site.floor.middle
         cost += weights["middle"] * np.hypot(xy[:, 0] - x, xy[:, 1] - y) / spread
+    for one, weight in site.wants[batch.cluster.anchor].numbered:
+        for x, y in _where(site.room, one):
+            cost += weight * np.hypot(xy[:, 0] - x, xy[:, 1] - y) / spread
     for names, weight in site.wants[batch.cluster.anchor].near:
         cost += weight * nearness(site, xy, names, far=weight < 0)
     return cost + _facing(site, batch.cluster.anchor, batch.poses)
+
+
+def _where(room: Room, one: Corner | AtWindow) -> Iterator[tuple[float, float]]:
+    """Yield the corner, or the middle of the window, of which a wish gives the number."""
+    if isinstance(one, Corner) and one.vertex is not None:
+        yield room.vertices[one.vertex]
+    elif isinstance(one, AtWindow) and one.window is not None:
+        window = room.windows[one.window]
+        yield room.walls[window.wall].point(window.offset + window.width / 2)
 
 
 def looks(site: Site) -> float:

@@ -13,12 +13,13 @@ from typing import TypeVar
 
 from robolayout.assets import Category, category_of, sweeps_of
 from robolayout.assets.obstacles import use_sides
-from robolayout.constraints import AssetRef, Relation, WallRef
+from robolayout.constraints import AssetRef, Relation
 from robolayout.constraints.above import Above
 from robolayout.constraints.against_wall import AgainstWall
 from robolayout.constraints.align_with import AlignWith
 from robolayout.constraints.any_of import AnyOf
 from robolayout.constraints.around import Around
+from robolayout.constraints.at_window import AtWindow
 from robolayout.constraints.behind import Behind
 from robolayout.constraints.ceiling_above import CeilingAbove
 from robolayout.constraints.centered_on import CenteredOn
@@ -105,6 +106,7 @@ class Want:
     # weights of wishes about its place, by relation
     weights: Mapping[str, float] = field(default_factory=dict[str, float])
     walls: Mapping[int, float] = field(default_factory=dict[int, float])  # weights of walls that are wished by name
+    numbered: tuple[tuple[Corner | AtWindow, float], ...] = ()  # wishes for one corner or window, with weights
     # what it should be near, any of them, with a weight; below 0 far from
     near: tuple[tuple[tuple[str, ...], float], ...] = ()
     # metres kept free on some sides; none: as its kind is used
@@ -271,12 +273,14 @@ class _Gathered:
     def want(self) -> Want:
         """Return the thing with all of it."""
         anchor, join, demanded = self._join()
-        bare = replace(self.bare, rows=self._rows(), shape=next((one for one, _ in self._all(InShape)), None))
+        rows = any(wish is None for _, wish in self._all(InRows))
+        shape = next((one for one, wish in self._all(InShape) if wish is None or not rows), None)
+        bare = replace(self.bare, rows=self._rows(), shape=shape)
         if anchor in bare.block:
             anchor, join = None, None  # its place is in the block
         face, weights = self._face(anchor), dict[str, float]()
         for one in self.said:
-            word = one.relation.name
+            word = one.relation.name if getattr(one.relation, "vertex", None) is None else "one corner"
             if one.wish is not None and word in ("mid_wall", "corner", "at_window", "by_door", "snug"):
                 weights[word] = weights.get(word, 0.0) + one.wish
             elif one.wish is not None and isinstance(one.relation, CenteredOn) and one.relation.b is None:
@@ -285,7 +289,8 @@ class _Gathered:
             bare,
             stands=self._stands(face),
             weights=weights,
-            walls={ref.index: weight for ref, weight in self._walls()},
+            walls={one.wall.index: w for kind in (AgainstWall, MountedOn) for one, w in self._wished(kind) if one.wall},
+            numbered=(*self._wished(Corner), *self._wished(AtWindow)),
             near=tuple((names, w) for one, w in self._wished(Grouped) if (names := one.asset_names()[1:])),
             clear={one.side: one.depth for one, _ in self._all(KeepClear)},
             face=face,
@@ -314,11 +319,6 @@ class _Gathered:
 
     def _wished(self, kind: type[Kind]) -> Iterator[tuple[Kind, float]]:
         yield from ((one, weight) for one, weight in self._all(kind) if weight is not None)
-
-    def _walls(self) -> Iterator[tuple[WallRef, float]]:
-        """Yield the walls that are wished by name."""
-        for kind in (AgainstWall, MountedOn):
-            yield from ((one.wall, weight) for one, weight in self._wished(kind) if one.wall is not None)
 
     def _modes(self) -> dict[str, float]:
         """Return the ways of standing by itself that are named, with weights; infinite where it is demanded."""
