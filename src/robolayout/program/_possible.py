@@ -141,7 +141,7 @@ def _seen(known: Accepted, here: tuple[float, float], ref: Ref) -> Heading | Non
     return Heading(ROOM, _yaw((there[0] - here[0], there[1] - here[1])), half)
 
 
-def _place(known: Accepted, ref: Ref) -> tuple[float, float] | None:
+def _place(known: Accepted, ref: AssetRef | PointRef) -> tuple[float, float] | None:
     """Return where something is: a point, a thing's first guess."""
     if isinstance(ref, PointRef):
         return (ref.x, ref.y)

@@ -115,7 +115,8 @@ class Problem:
     def wall_terms(self) -> tuple[FrameTerm, ...]:
         """Rows that hold wall things, which no statement puts on a wall, at the wall of what they hang above, or nearest to their guess."""
         rows = [row for row in self.statement_terms if isinstance(row, FrameTerm) and isinstance(row.b, WallRef)]
-        held, backed = {row.a for row in rows}, {row.a: row.b for row in rows if row.heading is not None}
+        held = {row.a for row in rows}
+        backed = {row.a: row.b for row in rows if isinstance(row.b, WallRef) and row.heading is not None}
         over = {one.a: backed[one.b] for one in self.relations if isinstance(one, Above) and one.b in backed}
         found: list[FrameTerm] = []
         for asset, carrier in zip(self.scene.assets, self.parent, strict=True):
