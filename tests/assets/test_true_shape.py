@@ -12,7 +12,8 @@ import trimesh
 from robolayout.assets import CATALOGUE, Category, Prism, parts, prisms_of, resting_place, surfaces_of
 from robolayout.assets.mass import centre_of_mass, part_masses
 from robolayout.assets.surfaces import inner_surfaces, named_surfaces
-from robolayout.scene import Asset
+from robolayout.scene import Asset, Layout, Opening, Pose, Room, Scene
+from robolayout.verify import verify
 
 
 def thing(kind: str | Category, size: tuple[float, float, float] | None = None, **more: object) -> Asset:
@@ -109,6 +110,23 @@ def test_own_meshes_have_shapes_and_surfaces_too(tmp_path: Path) -> None:
     assert [round(s.height, 2) for s in surfaces_of(own)] == [0.75]
     sofa = thing("sofa", (2.0, 2.0, 0.4), path=tmp_path / "ell.stl")
     assert not any(shapely.Polygon(p.outline).intersects(shapely.box(0.1, 0.1, 0.9, 0.9)) for p in prisms_of(sofa))
+
+
+@pytest.mark.parametrize("flat", [0, 1])
+def test_a_mesh_without_a_thickness_is_a_millimetre_thick_in_its_box(flat: int, tmp_path: Path) -> None:
+    corners = np.insert(np.array([(0, 0), (1, 0), (1, 1), (0, 1)]), flat, 0, axis=1)
+    trimesh.Trimesh(corners, [(0, 1, 2), (0, 2, 3)], process=False).export(tmp_path / "sheet.stl")
+    size = np.insert(np.ones(2), flat, 0.001)
+    sheet = thing("picture", tuple(size.tolist()), path=tmp_path / "sheet.stl")
+    for prism in prisms_of(sheet):
+        edges = (2 * prism.hx, 2 * prism.hy, prism.high - prism.low)
+        assert min(edges) > 0.0009
+        assert np.abs(prism.outline).max(axis=0) == pytest.approx(size[:2] / 2)
+        assert -1e-6 <= prism.low < prism.high <= size[2] + 1e-6
+    room = Room(((0.0, 0.0), (4.0, 0.0), (4.0, 4.0), (0.0, 4.0)), 2.5, doors=(Opening(0, 0.2, 0.9, 2.05),))
+    layout = Layout({sheet.name: Pose(2.0, 2.0, float(size[2]) / 2, 0.3)})
+    navigation = verify(Scene(room, (sheet,)), layout, agent="wheelchair").agents[0].navigation
+    assert navigation.walkable_ratio > 0.9
 
 
 def test_what_nobody_knows_is_its_box() -> None:

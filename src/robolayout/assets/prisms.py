@@ -36,6 +36,7 @@ class PrismConfig:
     rectangles: int = 6  # rectangles by which a slice of a user's own mesh is covered
     flat: float = 0.99  # least cosine between up and the normal of a face of a user's own mesh that lies level
     top: tuple[float, float] = (0.01, 0.01)  # metres within which faces are one top, and m2 of one that ends a slice
+    thin: float = 1e-3  # least metres along each edge of what is cut from a user's own mesh
     least_cut: float = 0.05  # share of the shorter half side below which a corner is not cut off
 
 
@@ -101,7 +102,7 @@ def piece_spans(asset: Asset, *, shut: bool = False) -> Spans:
         rows += [_span(part.vertices)] if part.convex else list(_slices(part))
     spans = np.array(rows).reshape(-1, 10)
     spans[:, 4:6] += level
-    return spans
+    return spans if asset.path is None else _thick(spans, asset.size)
 
 
 def level_tops(part: Part, thick: float) -> Iterator[tuple[float, Any]]:
@@ -119,6 +120,15 @@ def level_tops(part: Part, thick: float) -> Iterator[tuple[float, Any]]:
     for number in np.unique(bins):
         some = corners[up][bins == number]
         yield float(some[:, :, 2].max()), shapely.union_all(shapely.polygons(some[:, :, :2]), grid_size=1e-5)
+
+
+def _thick(spans: Spans, size: tuple[float, float, float]) -> Spans:
+    """Return what faces without a thickness span once they have the least one, within the box of their thing."""
+    low, high = spans[:, 0:6:2], spans[:, 1:6:2]
+    more = np.maximum(np.minimum(PRISMS.thin, size) - (high - low), 0.0)
+    down = np.clip(low - (-size[0] / 2, -size[1] / 2, 0.0), 0.0, more)
+    (dx, dy, dz), (ux, uy, uz) = down.T, (more - down).T
+    return spans + np.stack([-dx, ux, -dy, uy, -dz, uz, -dx - dy, ux + uy, -dx - uy, ux + dy], axis=1)
 
 
 def _span(points: Array) -> Array:
