@@ -113,6 +113,37 @@ def test_its_joints_go_where_their_controls_say(robot: Agent) -> None:
     assert abs(float(data.qpos[elbow]) - before) == pytest.approx(0.4, abs=0.01)
 
 
+FINGERS = """<link name="left"/><link name="right"/>
+<joint name="grip" type="prismatic"><parent link="hand"/><child link="left"/><origin xyz="0.4 0 0"/>
+ <axis xyz="0 1 0"/><limit lower="0" upper="0.04" effort="5" velocity="1"/></joint>
+<joint name="grip too" type="prismatic"><parent link="hand"/><child link="right"/><origin xyz="0.4 0 0"/>
+ <axis xyz="0 -1 0"/><limit lower="0" upper="0.04" effort="5" velocity="1"/><mimic joint="grip"/></joint>
+</robot>"""
+
+TIPS = """<body name="left" pos="0.4 0 0"><joint name="grip" type="slide" axis="0 1 0" range="0 0.04"/>
+ <geom size="0.01" mass="0.1"/></body>
+<body name="right" pos="0.4 0 0"><joint name="grip too" type="slide" axis="0 -1 0" range="0 0.04"/>
+ <geom size="0.01" mass="0.1"/></body></body></body></body>"""
+
+EQUALITY = '<equality><joint joint1="grip too" joint2="grip"/></equality></mujoco>'
+
+
+@pytest.mark.parametrize("suffix", [".urdf", ".xml"])
+def test_a_joint_that_follows_another_has_no_control_and_goes_all_the_way_with_it(suffix: str, tmp_path: Path) -> None:
+    trimesh.creation.box((0.6, 0.4, 0.3)).export(tmp_path / "hull.stl")
+    path = (tmp_path / "robot").with_suffix(suffix)
+    mjcf = MJCF.replace("</body></body></body>", TIPS).replace("2.9", "2.9 0 0").replace("</mujoco>", EQUALITY)
+    path.write_text(URDF.replace("</robot>", FINGERS) if suffix == ".urdf" else mjcf)
+    model, data = loaded(load_agent(path))
+    controls = [model.actuator(number).name for number in range(model.nu)]
+    assert f"{AGENT}/grip" in controls and f"{AGENT}/grip too" not in controls
+    data.ctrl[controls.index(f"{AGENT}/grip")] = 0.03
+    for _ in range(int(3 / model.opt.timestep)):
+        mujoco.mj_step(model, data)
+    opened = [float(data.joint(f"{AGENT}/{name}").qpos[0]) for name in ("grip", "grip too")]
+    assert opened == pytest.approx([0.03, 0.03], abs=1e-3)
+
+
 def test_it_collides_with_the_room_and_not_with_itself(robot: Agent) -> None:
     _, alone = loaded(robot)
     assert alone.ncon == 0

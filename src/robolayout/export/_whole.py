@@ -1,7 +1,8 @@
 """A robot's whole model in MJCF: what its URDF or MJCF file says, in the pose in which it drives about, each joint held there.
 
-MuJoCo reads the file. The pose is made the model's own, so that it stands in it from the start; every hinge and slide gets an
-actuator whose control is how far it is to be from that. It collides with the room, not with itself, and is not pulled down.
+MuJoCo reads the file. The pose is made the model's own, so that it stands in it from the start; every hinge and slide that
+follows no other joint gets an actuator whose control is how far it is to be from that. It collides with the room, not with
+itself, and is not pulled down.
 """
 
 from __future__ import annotations
@@ -199,9 +200,11 @@ def _posed(compiled: Any, data: Any, body: ET.Element) -> None:
 
 
 def _hold(mujoco: Any, compiled: Any, data: Any, actuators: ET.Element) -> None:
-    """Add an actuator for each hinge and slide, which holds it where it is now."""
+    """Add an actuator for each hinge and slide that follows no other one, which holds it where it is now."""
+    follows = (compiled.eq_type == int(mujoco.mjtEq.mjEQ_JOINT)) & (compiled.eq_obj2id >= 0)
+    led = set(compiled.eq_obj1id[follows].tolist())
     for number in range(compiled.njnt):
-        if compiled.jnt_type[number] < int(mujoco.mjtJoint.mjJNT_SLIDE):
+        if number in led or compiled.jnt_type[number] < int(mujoco.mjtJoint.mjJNT_SLIDE):
             continue
         name, value = compiled.joint(number).name, float(data.qpos[compiled.jnt_qposadr[number]])
         weight = max(float(compiled.dof_M0[compiled.jnt_dofadr[number]]), BODIES.lightest)
