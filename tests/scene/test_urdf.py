@@ -226,6 +226,12 @@ def test_reach_is_what_the_hand_gets_to(tmp_path: Path) -> None:
     assert "gripper" in agent.sources["reach_distance"].text
 
 
+def test_an_arm_whose_last_link_has_no_telling_name_reaches_to_its_far_end(tmp_path: Path) -> None:
+    agent = load_agent(write(tmp_path, arm("-3.0 3.0").replace("gripper", "link_2")))
+    assert agent.reach_distance == pytest.approx(1.0, abs=0.03)  # two links of half a metre from the middle of the base
+    assert agent.reach_high == pytest.approx(1.6, abs=0.1)
+
+
 def test_a_profile_names_a_model_and_its_pose(tmp_path: Path) -> None:
     write(tmp_path, arm("-3.0 3.0"))
     profile = tmp_path / "mine.toml"

@@ -43,7 +43,7 @@ class FoldConfig:
 
 FOLDING = FoldConfig()
 
-HANDS = ("gripper", "grasp", "finger", "hand", "tool", "palm", "suction")
+HANDS = ("gripper", "grasp", "finger", "hand", "tool", "tcp", "effector", "palm", "suction")
 """Words in the names of links that say where an arm ends."""
 
 
@@ -252,13 +252,23 @@ class Robot:
         most = max(candidates.values())
         return min(link for link, count in candidates.items() if count == most) if most >= 2 else None
 
+    def _tip(self, hand: str) -> Array:
+        """Return the point of a hand in its frame: the origin where its name says what it is, else its far end."""
+        hull = self.hulls.get(hand, np.zeros((1, 3)))
+        middle = (hull.min(axis=0) + hull.max(axis=0)) / 2
+        length = float(np.linalg.norm(middle))
+        if length < 1e-6 or any(word in hand.lower() for word in HANDS):
+            return np.zeros(3)
+        return middle / length * float((hull @ middle).max()) / length
+
     def reach(self, floor: float) -> list[tuple[float, float, float]]:
         """Return how far from the root's axis the hand gets, by height above the `floor` of its frame: (from, to, metres), lowest first."""
         if self.hand is None:
             return []
         rng = np.random.default_rng(0)
         values = {joint.name: rng.uniform(joint.low, joint.high, FOLDING.poses) for joint in self.arms}
-        at = self.poses(values, FOLDING.poses)[self.hand][:, :3, 3]
+        hands = self.poses(values, FOLDING.poses)[self.hand]
+        at = hands[:, :3, :3] @ self._tip(self.hand) + hands[:, :3, 3]
         band = np.floor((at[:, 2] - floor) / FOLDING.band).astype(int)
         away = np.hypot(at[:, 0], at[:, 1])
         ends = ((int(k), float(away[band == k].max())) for k in np.unique(band) if k >= 0)
