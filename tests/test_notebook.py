@@ -48,6 +48,10 @@ def test_a_result_shows_its_plan_and_its_report(result: rl.Result) -> None:
     assert "desk" in said and "walkable ratio" in said and "1 m" in said
 
 
+def test_a_result_is_short_at_a_prompt(result: rl.Result) -> None:
+    assert repr(result).startswith("Result(layout=Layout(desk-0: (") and len(repr(result)) < 600
+
+
 def test_a_report_lists_what_is_wrong_up_to_a_bound(result: rl.Result) -> None:
     said = texts(rl.verify(result.scene, rl.Layout({}))._repr_html_())
     assert "not all demands are met" in said and "desk-0 is not placed." in said

@@ -64,6 +64,12 @@ def test_a_scene_may_be_a_dictionary_and_an_agent_too() -> None:
     assert result.report.to_dict()["agents"].keys() == {"cart"}
 
 
+@pytest.mark.parametrize("seed", [-1, 0.5, "a"])
+def test_a_seed_that_is_none_is_refused(seed: int) -> None:
+    with pytest.raises(rl.InputError, match=f"seed must be a whole number of at least 0, but is {seed!r}"):
+        rl.generate("examples/bedroom.json", seed=seed)
+
+
 def test_pinned_things_stay() -> None:
     scene = rl.scene_from_dict(TINY)
     there = rl.Pose(2.6, 1.7, 0.37, 3.141592653589793)

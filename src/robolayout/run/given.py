@@ -5,12 +5,14 @@ from __future__ import annotations
 import os
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
+from numbers import Integral
 from pathlib import Path
 from typing import Any
 
 import shapely
 
 from robolayout._errors import InputError, among
+from robolayout._reading import show
 from robolayout.assets import place_of
 from robolayout.planners import OfflinePlanner, Planner, PlanRequest, RoomPlanner, Understanding, scene_from_sentence
 from robolayout.program import CUSTOM, Guess, Program, Statement, read_program
@@ -46,6 +48,8 @@ def as_scene(
     dress: str | None,
 ) -> Scene:
     """Return a scene from itself, its dictionary, its file or words, for another agent or otherwise dressed if that is said."""
+    if not isinstance(seed, Integral) or seed < 0:
+        raise InputError(f"seed must be a whole number of at least 0, but is {show(seed)}.")
     bodies = () if agent is None else load_agents(agent)
     if isinstance(given, str) and not names_a_file(given):
         scene, _ = furnished(given, planner, seed=seed, agents=bodies)

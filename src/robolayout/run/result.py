@@ -66,13 +66,13 @@ class Clock:
 class Result:
     """A layout and its report, with all that a run made of it."""
 
-    scene: Scene  # what was given
+    scene: Scene = field(repr=False)  # what was given
     layout: Layout  # poses
     report: Report  # what the verifier says of them
-    program: Program = field(default_factory=Program)  # what the program says, as asked; empty if there was none
+    program: Program = field(default_factory=Program, repr=False)  # what it says, as asked; empty if there was none
     # the same after the filter, with a decision for every statement
-    reconciled: Reconciled = field(default_factory=lambda: Reconciled(Program(), ()))
-    groups: tuple[Group, ...] = ()  # the planner's groups, in order
+    reconciled: Reconciled = field(default_factory=lambda: Reconciled(Program(), ()), repr=False)
+    groups: tuple[Group, ...] = field(default=(), repr=False)  # the planner's groups, in order
     # what the solver says of its run; None where somebody else made the layout
     solution: Solution | None = field(default=None, repr=False)
     # every answer of a model, with its score; empty without a model
