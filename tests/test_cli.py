@@ -279,6 +279,8 @@ def test_render_export_and_compare_write_what_they_say(command: Command, furnish
     refused(command("render", *given, "--view", "nonsense"), "nonsense", "double_bed-0", "top")
     ran = command("export", *given, "--to", "glb,mjcf,dxf,layout", "--out", tmp_path / "files")
     assert ran.code == 0 and [Path(line).exists() for line in ran.out.split()] == [True] * 4
+    ran = command("export", *given, "--to", "usda,xml,.glb", "--out", tmp_path / "suffixes")
+    assert [Path(line).name for line in ran.out.split()] == ["bedroom.usda", "bedroom.xml", "bedroom.glb"]
     refused(command("export", *given, "--to", "obj"), "obj", "glb")
     refused(command("export", *given, "--to", ","), "--to", "glb")
 

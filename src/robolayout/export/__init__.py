@@ -93,7 +93,7 @@ def export(
     """Write a layout in the format that the target names.
 
     Args:
-        target: A format ("glb"), written as `<scene name><suffix>`; or a file, whose suffix says the format.
+        target: A format ("usd") or suffix ("usda"), written as `<scene name><suffix>`; or a file, whose suffix says the format.
         partial: Whether assets without a pose may be left out; otherwise they are an error.
 
     Raises:
@@ -121,7 +121,9 @@ def export_all(
         exporter = find_exporter(target)
         check_layout(scene, layout, partial=partial)
         data, beside = exporter.files(scene, layout, options or Options())
-        path = Path(folder) / (f"{file_name(scene.name)}{exporter.suffix}" if str(target) in exporters() else target)
+        word = str(target).removeprefix(".")
+        is_format = word == exporter.name or (f".{word}" == exporter.suffix and "." not in word)
+        path = Path(folder) / (f"{file_name(scene.name)}{exporter.suffix}" if is_format else target)
         made[path] = data
         further |= {path.parent / name: content for name, content in beside.items()}
     write_together({**further, **made})
