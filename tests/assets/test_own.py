@@ -10,7 +10,7 @@ import trimesh
 
 from robolayout._errors import AssetError
 from robolayout._reading import LIMITS
-from robolayout.assets import CATALOGUE, import_folder, load_mesh_parts, parts
+from robolayout.assets import CATALOGUE, find_category, import_folder, load_mesh_parts, parts
 from robolayout.scene import Asset
 
 SIZE = (0.6, 0.9, 0.8)
@@ -152,6 +152,28 @@ def test_a_folder_becomes_a_catalogue(tmp_path: Path) -> None:
     assert table["up"] == "+y"
     assert table["assetMetadata"]["boundingBox"] == {"x": 0.9, "y": 1.6, "z": 0.75}
     assert table["onFloor"] and not table["onWall"]
+
+
+def test_what_no_word_explains_keeps_its_word_and_is_asked_about(tmp_path: Path) -> None:
+    _mesh((0.6, 0.9, 0.6)).export(tmp_path / "mycart.glb")
+    found = import_folder(tmp_path)
+    entry = found["assets"]["mycart-0"]
+    assert entry["category"] == "mycart"
+    box = entry["assetMetadata"]["boundingBox"]
+    taken = find_category(entry["category"], description=entry["description"], size=(box["x"], box["y"], box["z"]))
+    assert taken.group == "unknown"  # and no chair, as "unknown seat" was
+    assert "mycart-0 (mycart.glb): what it is" in found["unsure"][0]
+
+
+def test_files_of_kinds_that_are_not_read_are_named(tmp_path: Path) -> None:
+    _mesh().export(tmp_path / "sofa.glb")
+    (tmp_path / "armchair.gltf").write_text("{}")
+    (tmp_path / "notes.txt").write_text("no mesh")
+    found = import_folder(tmp_path)
+    assert list(found["assets"]) == ["sofa-0"]
+    (skipped,) = found["skipped"]
+    assert skipped["path"] == "armchair.gltf"
+    assert "format '.gltf' is not read; use one of .glb, .obj, .ply, .stl" in skipped["reason"]
 
 
 def test_layoutvlm_folders_are_read_as_they_are(tmp_path: Path) -> None:

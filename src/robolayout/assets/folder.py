@@ -34,6 +34,8 @@ CLEARLY = math.log(2.0)
 """Another unit than metres must fit the category's size better by this log ratio; metres that miss by more fit not at all."""
 SURE = 0.3  # how sure an axis or unit must be not to be asked about
 CORRECTIONS = "corrections.json"
+UNREAD = (".3ds", ".blend", ".dae", ".fbx", ".gltf", ".usd", ".usda", ".usdc", ".usdz")
+"""Kinds of mesh file that are not read, and named as skipped."""
 PLAUSIBLE = (0.02, 6.0)  # longest edge in metres of a thing of unknown category
 VIEWS = ("+z", "+x", "-z", "-x")  # front axis of a y-up mesh by objathor's `frontView`: a quarter turn each
 _CHECK = Checker(AssetError)
@@ -116,8 +118,8 @@ def _unsure(name: str, entry: Mapping[str, Any]) -> Iterator[str]:
 
 
 def _mesh_files(directory: Path) -> list[Path]:
-    """Return mesh files below a folder in the order of their names; links are not followed."""
-    named = (path for path in directory.rglob("*") if path.suffix.lower() in MESH_SUFFIXES)
+    """Return mesh files below a folder in the order of their names, those that are not read too; links are not followed."""
+    named = (path for path in directory.rglob("*") if path.suffix.lower() in (*MESH_SUFFIXES, *UNREAD))
     found = (path for path in named if os.path.isfile(path) and not path.is_symlink())
     files = sorted(path for path in found if inside(path, [directory]))
     if len(files) > LIMITS.folder_files:
@@ -146,7 +148,7 @@ def _entry(
         category = find_category(guess.text, description=words, size=(depth, width, height))
     x, y, z = (round(max(edge, 0.001), 4) for edge in (depth, width, height))
     return variable_name(guess.text)[:60], {
-        "category": category.name,
+        "category": guess.text if category.group == "unknown" else category.name,
         "description": guess.description or guess.text,
         "path": shown,
         **{key: bool(guess.flags.get(key, getattr(category, name))) for key, name in FLAGS.items()},
