@@ -542,3 +542,9 @@ def test_any_text_at_all_is_read() -> None:
     assert things(
         "The floor is left to walk on while a room is built, against a flood from every cell and a look at every place."
     )
+
+
+@pytest.mark.parametrize(("word", "kind", "ending"), [("foodcart", "bar cart", "cart"), ("streetart", "picture", "art")])
+def test_a_joined_word_is_taken_by_its_longest_known_ending(word: str, kind: str, ending: str) -> None:
+    noun = LEXICON.guess([word])
+    assert (noun.kind, noun.guessed) == (kind, f"by its last word, {ending!r}")

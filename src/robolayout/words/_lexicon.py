@@ -162,9 +162,9 @@ class Lexicon:
         if near:
             return Noun(text, near, text, "by its spelling", kinds=self.kinds)
         head = text.split()[-1]
-        kind = grammar().heads.get(head) or next((k for h, k in grammar().heads.items() if head.endswith(h)), None)
-        if kind:
-            return Noun(text, kind, text, f"by its last word, {head!r}", kinds=self.kinds)
+        ending = max((known for known in grammar().heads if head.endswith(known)), key=len, default="")
+        if ending:
+            return Noun(text, grammar().heads[ending], text, f"by its last word, {ending!r}", kinds=self.kinds)
         found = find_category(text).name
         how = "as nothing that is known" if found.startswith("unknown") else "by one of its words"
         return Noun(text, found, text, how, kinds=self.kinds)
