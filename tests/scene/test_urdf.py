@@ -243,7 +243,7 @@ def test_a_profile_names_a_model_and_its_pose(tmp_path: Path) -> None:
     with pytest.raises(UnknownNameError, match="upper_joint"):
         load_agent(profile)
     profile.write_text('model = "robot.urdf"\n[pose]\nupper_joint = 4\n')
-    with pytest.raises(AgentError, match="upper_joint' must be at most 3"):
+    with pytest.raises(AgentError, match=r"upper_joint' \(radians or metres\) must be at most 3, but is 4\.0\.$"):
         load_agent(profile)
 
 

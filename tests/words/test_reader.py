@@ -544,7 +544,9 @@ def test_any_text_at_all_is_read() -> None:
     )
 
 
-@pytest.mark.parametrize(("word", "kind", "ending"), [("foodcart", "bar cart", "cart"), ("streetart", "picture", "art")])
+@pytest.mark.parametrize(
+    ("word", "kind", "ending"), [("foodcart", "bar cart", "cart"), ("streetart", "picture", "art")]
+)
 def test_a_joined_word_is_taken_by_its_longest_known_ending(word: str, kind: str, ending: str) -> None:
     noun = LEXICON.guess([word])
     assert (noun.kind, noun.guessed) == (kind, f"by its last word, {ending!r}")

@@ -81,8 +81,9 @@ class Checker:
         above: float | None = None,
         least: float | None = None,
         most: float = LIMITS.length,
+        is_length: bool = True,
     ) -> float:
-        """Return `value` as a finite float within (above, most] or [least, most]."""
+        """Return `value` as a finite float within (above, most] or [least, most]; a length may be in the wrong unit."""
         if isinstance(value, bool) or not isinstance(value, (int, float)) or abs(value) > 1e300 or math.isnan(value):
             raise self.error(f"{where} must be a finite number, but is {show(value)}.")
         if above is not None and value <= above:
@@ -90,7 +91,7 @@ class Checker:
         if least is not None and value < least:
             raise self.error(f"{where} must be at least {least:g}, but is {show(value)}.")
         if value > most:
-            told = most <= LIMITS.length and value <= 100 * most
+            told = is_length and most <= LIMITS.length and value <= 100 * most
             ask = f" Lengths are in metres: is it in centimetres? Then write {value / 100:g}." if told else ""
             raise self.error(f"{where} must be at most {most:g}, but is {show(value)}.{ask}")
         return float(value) + 0.0

@@ -209,7 +209,7 @@ def _value(key: str, value: object, default: object, bounds: Mapping[str, float]
 
 
 def _number(value: object, where: str, *, whole: bool, bounds: Mapping[str, float]) -> float | int:
-    found = _CHECK.number(value, where, least=bounds["least"], most=bounds["most"])
+    found = _CHECK.number(value, where, least=bounds["least"], most=bounds["most"], is_length=False)
     if whole and found != int(found):
         raise InputError(f"{where} must be a whole number, but is {found:g}.")
     return int(found) if whole else found

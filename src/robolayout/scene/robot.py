@@ -54,7 +54,8 @@ def _given(body: Robot, pose: Mapping[str, float], model: Model) -> dict[str, fl
         if name not in movable:
             raise UnknownNameError(f"joint of {model.path.name}", name[:100], movable)
         low, high = movable[name].low, movable[name].high
-        CHECK.number(value, f"pose of joint {show(name)}", least=low, most=high)
+        where = f"pose of joint {show(name)} (radians or metres)"
+        CHECK.number(value, where, least=low, most=high, is_length=False)
     return {**body.rest, **pose}
 
 
