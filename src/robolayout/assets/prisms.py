@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
-from itertools import combinations, pairwise
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -205,27 +205,41 @@ def _slices(part: Part) -> Iterator[Array]:
         if len(met):
             whole = (met[:, :, 2] >= low).all(axis=1) & (met[:, :, 2] <= high).all(axis=1)
             whole &= np.ptp(met[:, :, :2], axis=1).max(axis=1) < step  # of these nothing but their corners is needed
-            cut = [clipped(triangle, low, high, step) for triangle in met[~whole]]
+            cut = [points.reshape(-1, 3) for points in clipped(met[~whole], low, high, step)]
             yield from _covers(np.concatenate([met[whole].reshape(-1, 3), *cut]), step)
 
 
-def clipped(triangle: Array, low: float, high: float, step: float) -> Array:
-    """Return points over what of a triangle lies between two heights, at most about `step` apart, its corners among them."""
-    for level, sign in ((low, 1.0), (high, -1.0)):
-        above = sign * (triangle[:, 2] - level)
-        after = np.roll(triangle, -1, axis=0)
-        crossing = above * np.roll(above, -1) < 0.0
-        share = (above / np.where(crossing, above - np.roll(above, -1), 1.0))[crossing, None]
-        cuts = triangle[crossing] + share * (after[crossing] - triangle[crossing])
-        order = np.argsort(np.concatenate([np.flatnonzero(above >= 0.0), np.flatnonzero(crossing) + 0.5]))
-        triangle = np.concatenate([triangle[above >= 0.0], cuts])[order]
-        if not len(triangle):
-            return triangle
-    middle, after = triangle.mean(axis=0), np.roll(triangle, -1, axis=0)
-    count = 1 + int(np.ptp(triangle, axis=0)[:2].max() / step)
-    share = np.linspace(0.0, 1.0, count + 1)[:, None, None]
-    rim = triangle + share * (after - triangle)
-    return (rim + share[:, None] * (middle - rim)).reshape(-1, 3) if count > 1 else triangle
+def clipped(triangles: Array, low: float, high: float, step: float) -> Iterator[Array]:
+    """Yield points (n, m, 3) over what of triangles lies between two heights, at most about `step` apart, corners among them."""
+    for above in _kept(triangles, low, 1.0):
+        for polygons in _kept(above, high, -1.0):
+            middle = polygons.mean(axis=1)[:, None]
+            after = np.roll(polygons, -1, axis=1)
+            counts = 1 + (np.ptp(polygons, axis=1)[:, :2].max(axis=1) / step).astype(int)
+            for count in np.unique(counts).tolist():
+                some = polygons[counts == count]
+                if count > 1:
+                    share = np.linspace(0.0, 1.0, count + 1)[:, None, None, None]
+                    rim = some + share * (after[counts == count] - some)
+                    some = np.moveaxis(rim + share[:, None] * (middle[counts == count] - rim), 2, 0)
+                yield some.reshape(len(some), -1, 3)
+
+
+def _kept(polygons: Array, level: float, sign: float) -> Iterator[Array]:
+    """Yield what of convex polygons (n, m, 3) lies above a level (sign 1) or below it (-1), by their number of corners."""
+    above = sign * (polygons[:, :, 2] - level)
+    sides, which = np.unique(np.sign(above).astype(int), axis=0, return_inverse=True)
+    for number, side in enumerate(sides.tolist()):
+        some, far = polygons[which.ravel() == number], above[which.ravel() == number]
+        corners = list[Array]()
+        for i, j in zip(range(len(side)), [*range(1, len(side)), 0], strict=True):
+            if side[i] >= 0:
+                corners.append(some[:, i])
+            if side[i] * side[j] < 0:
+                share = (far[:, i] / (far[:, i] - far[:, j]))[:, None]
+                corners.append(some[:, i] + share * (some[:, j] - some[:, i]))
+        if corners:
+            yield np.stack(corners, axis=1)
 
 
 def _covers(points: Array, step: float) -> Iterator[Array]:
@@ -252,10 +266,17 @@ def largest_block(full: NDArray[np.bool_], weight: Array) -> tuple[int, int, int
     """Return between which rows and columns the rectangle of full cells lies that weighs the most; zeros where none is full."""
     best, found = 0.0, (0, 0, 0, 0)
     count = np.pad(weight.cumsum(axis=0).cumsum(axis=1), ((1, 0), (1, 0)))
-    for i, j in combinations(range(full.shape[0] + 1), 2):
-        ends = np.flatnonzero(np.diff(np.concatenate([[False], full[i:j].all(axis=0), [False]])))
-        for k, m in zip(ends[::2].tolist(), ends[1::2].tolist(), strict=True):
-            held = float(count[j, m] - count[i, m] - count[j, k] + count[i, k])
-            if held > best + 1e-9:
-                best, found = held, (i, j, k, m)
+    rows, columns = full.shape
+    for i in range(rows):
+        kept = np.zeros(columns + 2, dtype=bool)  # columns that are full from row i on, and none on either side
+        kept[1:-1] = True
+        for j in range(i + 1, rows + 1):
+            kept[1:-1] &= full[j - 1]
+            ends = np.flatnonzero(kept[1:] != kept[:-1]).tolist()
+            if not ends:
+                break
+            for k, m in zip(ends[::2], ends[1::2], strict=True):
+                held = float(count[j, m] - count[i, m] - count[j, k] + count[i, k])
+                if held > best + 1e-9:
+                    best, found = held, (i, j, k, m)
     return found
