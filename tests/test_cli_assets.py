@@ -32,10 +32,11 @@ def test_an_import_names_what_it_skips(tmp_path: Path, command: Callable[..., Ra
     folder.mkdir()
     (folder / "desk.obj").write_text(TRIANGLE)
     (folder / "broken.glb").write_bytes(b"glTF")
-    ran = command("assets", "import", folder, "--front=-x", "--out", tmp_path / "own.json")
+    ran = command("assets", "import", folder, "--front=-x", "--up=+y", "--out", tmp_path / "own.json")
     assert ran.code == 0
     assert "skipped broken.glb: mesh broken.glb is broken and cannot be used: it ends within" in ran.err
-    assert json.loads((tmp_path / "own.json").read_text())["assets"]["desk-0"]["front"] == "-x"
+    desk = json.loads((tmp_path / "own.json").read_text())["assets"]["desk-0"]
+    assert (desk["front"], desk["up"]) == ("-x", "+y")
     (folder / "desk.obj").unlink()
     nothing = command("assets", "import", folder, "--out", tmp_path / "none.json")
     assert (nothing.code, (tmp_path / "none.json").exists()) == (2, False)
@@ -59,3 +60,9 @@ def test_bad_input_is_refused_in_words(
     ran = command("assets", *words)
     assert ran.code == 2
     assert said in ran.err
+
+
+def test_words_with_an_asset_folder_are_refused_with_the_way_that_takes_it(command: Callable[..., Ran]) -> None:
+    ran = command("generate", "a bedroom", "--asset-dir", "own")
+    assert ran.code == 2
+    assert """robolayout batch SENTENCE --set 'catalogues=["own"]'.""" in ran.err

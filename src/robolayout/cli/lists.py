@@ -80,6 +80,7 @@ def assets(
     folder: Annotated[Path | None, Argument(help="Folder of meshes, after `import`.")] = None,
     out: Annotated[Path, Option(help="Catalogue file that an import writes.")] = Path("catalogue.json"),
     front: Annotated[str | None, Option("--front", help="Side that faces forward in the meshes, such as +x.")] = None,
+    up: Annotated[str | None, Option("--up", help="Side that points up in the meshes, such as +z.")] = None,
     pictures: Annotated[Path | None, Option("--pictures", help="Also draw what is listed into this PNG file.")] = None,
 ) -> None:
     """List the catalogue of furniture with typical sizes, look a word up, or import a folder of meshes."""
@@ -87,7 +88,7 @@ def assets(
     from robolayout.scene import FLAGS, Asset, variable_name
 
     if word == "import":
-        _import(folder, out, front, pictures)
+        _import(folder, out, front, up, pictures)
         return
     if folder is not None:
         raise InputError(f"{str(folder)!r} follows {word!r}: put a name of several words in quotes.")
@@ -101,14 +102,14 @@ def assets(
     table("Catalogue (depth x width x height in metres)", ["category", "group", "size", "place", "source"], rows)
 
 
-def _import(folder: Path | None, out: Path, front: str | None, pictures: Path | None) -> None:
+def _import(folder: Path | None, out: Path, front: str | None, up: str | None, pictures: Path | None) -> None:
     """Write the catalogue of a folder, draw it, and say what was skipped and what is unsure."""
     from robolayout.assets import import_folder
     from robolayout.scene import Asset
 
     if folder is None:
         raise InputError("import needs a folder: robolayout assets import FOLDER.")
-    catalogue = import_folder(folder, front=front)
+    catalogue = import_folder(folder, front=front, up=up)
     for entry in catalogue["skipped"]:
         warn(f"skipped {entry['path']}: {entry['reason']}")
     if not catalogue["assets"]:
