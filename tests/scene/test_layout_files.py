@@ -60,7 +60,11 @@ def test_written_layouts_read_back(poses: list[tuple[float, float, float, float]
             {"bde-0": entry()},
             "the layout places 'bde-0', which is not in the scene. Did you mean 'bed-0'? Known: bed-0, lamp-0.",
         ),
-        ({"walls": entry()}, "the layout places 'walls', which is not in the scene. Known: bed-0, lamp-0."),
+        (
+            {"walls": entry()},
+            "the layout places 'walls', which is not in the scene. Known: bed-0, lamp-0. "
+            "What lies about in a dressed room is in the scene.json of its run: give that.",
+        ),
         ({"bed-0": None}, "layout['bed-0'] must be an object with named values, but is None."),
         ({"bed-0": {"rotation": [0]}}, "layout['bed-0'] has no \"position\"; add it."),
         ({"bed-0": {"position": [0, 0, 0]}}, "layout['bed-0'] has no \"rotation\"; add it."),
