@@ -113,6 +113,21 @@ def test_its_joints_go_where_their_controls_say(robot: Agent) -> None:
     assert abs(float(data.qpos[elbow]) - before) == pytest.approx(0.4, abs=0.01)
 
 
+WORLD = """<link name="world"/><joint name="put" type="fixed"><parent link="world"/><child link="base"/>
+ <origin xyz="1 2 0.5"/></joint></robot>"""
+
+
+def test_where_a_urdf_puts_its_robot_in_a_world_is_not_of_the_robot(tmp_path: Path) -> None:
+    trimesh.creation.box((0.6, 0.4, 0.3)).export(tmp_path / "hull.stl")
+    (tmp_path / "plain.urdf").write_text(URDF)
+    (tmp_path / "put.urdf").write_text(URDF.replace("</robot>", WORLD))
+    plain, put = (load_agent(tmp_path / f"{name}.urdf") for name in ("plain", "put"))
+    for figure in ("height", "radius", "length", "width", "turning_diameter", "reach_distance", "reach_bands"):
+        assert getattr(put, figure) == getattr(plain, figure)
+    places = [data.body(f"{AGENT}/hand").xpos for _, data in (loaded(plain), loaded(put))]
+    assert places[1] == pytest.approx(places[0], abs=1e-9)
+
+
 FINGERS = """<link name="left"/><link name="right"/>
 <joint name="grip" type="prismatic"><parent link="hand"/><child link="left"/><origin xyz="0.4 0 0"/>
  <axis xyz="0 1 0"/><limit lower="0" upper="0.04" effort="5" velocity="1"/></joint>

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Mapping
+from dataclasses import replace
 from xml.etree.ElementTree import Element
 
 import numpy as np
@@ -63,6 +64,10 @@ def _tree(robot: Element, links: Mapping[str, Element], model: Model) -> tuple[s
     roots = [name for name in links if name not in parents]
     if len(roots) != 1:
         raise model.fail(f"has {len(roots)} root links; a URDF has exactly one link that is no joint's child.")
+    if roots[0] == "world" and len(held := joints.get("world", [])) == 1 and links["world"].find("collision") is None:
+        at = held[0].origin.copy()
+        at[:3, 3] = 0.0  # where in a world it is put is not of the robot
+        joints["world"] = [replace(held[0], origin=at)]
     ordered, waiting = list[RobotJoint](), [roots[0]]
     while waiting:
         further = joints.get(waiting.pop(), [])
