@@ -277,3 +277,19 @@ def test_links_out_of_the_folder_are_not_followed(tmp_path: Path) -> None:
     (inside / "link.glb").symlink_to(tmp_path / "outside.glb")
     with pytest.raises(AssetError, match="holds no mesh"):
         import_folder(inside)
+
+
+def test_of_too_many_colours_the_smallest_take_the_nearest_one(tmp_path: Path) -> None:
+    scene = trimesh.Scene()
+    for number in range(100):  # fifty reds at the left, fifty blues at the right
+        shade = 150 + number
+        block = _mesh((0.01, 0.01, 0.01), (shade, 0, 0, 255) if number < 50 else (0, 0, shade, 255))
+        block.apply_translation((number / 100, 0.0, 0.0))
+        scene.add_geometry(block)
+    scene.export(tmp_path / "books.glb")
+    built = load_mesh_parts(tmp_path / "books.glb", (0.01, 1.0, 0.01))
+    assert len(built) <= 64
+    for part in built:
+        red, _, blue = part.material.color[:3]
+        where = part.vertices[:, 1]
+        assert where.max() < 1e-6 if red > blue else where.min() > -1e-6

@@ -6,6 +6,7 @@ says otherwise. Nothing outside the given file is opened: materials and textures
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from functools import lru_cache
@@ -129,13 +130,17 @@ def _thinned(pieces: Sequence[Part]) -> list[Part]:
 
 
 def _by_material(pieces: Sequence[Part]) -> list[Part]:
-    """Merge pieces of one colour; all into one where there are still too many."""
+    """Merge pieces of one look; where there are still too many looks, the smallest take the nearest plain colour of the others."""
     groups: dict[Material, list[Part]] = {}
     for piece in pieces:
         groups.setdefault(piece.material, []).append(piece)
     if len(groups) > LIMITS.drawn_parts:
-        plain = replace(pieces[0].material, texture=None)
-        return [_joined([replace(piece, material=plain, uv=None) for piece in pieces])]
+        looks = sorted(groups, key=lambda look: -sum(len(piece.faces) for piece in groups[look]))
+        kept = looks[: LIMITS.drawn_parts - 1]
+        plain = [look for look in kept if look.texture is None] or [replace(kept[0], texture=None)]
+        for look in looks[LIMITS.drawn_parts - 1 :]:
+            near = min(plain, key=lambda other: math.dist(other.color, look.color))
+            groups.setdefault(near, []).extend(replace(piece, material=near, uv=None) for piece in groups.pop(look))
     return [_joined(row) for row in groups.values()]
 
 
