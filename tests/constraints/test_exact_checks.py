@@ -198,6 +198,28 @@ def test_under() -> None:
     )
 
 
+@pytest.mark.parametrize(
+    ("x", "z", "met"),
+    [
+        (1.58, 1.5, True),
+        (1.58, 0.8, True),
+        (1.58, 0.69, False),
+        (1.58, 0.3, False),
+        (1.24, 1.5, False),
+        (2.0, 1.2, True),
+    ],
+)
+def test_what_hangs_above_a_thing_is_higher_than_it(x: float, z: float, met: bool) -> None:
+    picture = Asset("a-0", "picture", (0.04, 0.6, 0.5), on_floor=False, on_wall=True)
+    assert check(said("above", A, B), (x, 2, 0, z), (2, 2, 0), assets=(picture, TABLE)) is met
+
+
+def test_what_stands_behind_a_thing_is_not_above_it_but_a_loft_bed_over_it_is() -> None:
+    shelves, loft = (Asset("a-0", "box", size) for size in ((0.3, 0.8, 1.9), (1.0, 2.0, 1.8)))
+    assert not check(said("above", A, B), (1.4, 2, 0), (2, 2, 0), assets=(shelves, TABLE))
+    assert check(said("above", A, B), (2, 2, 0), (2, 2, 0), assets=(loft, TABLE))
+
+
 def test_mounted_on_and_ceiling_above() -> None:
     assert check(said("mounted_on", A, WallRef(0), 1.5), (3, 0.3, NORTH, 1.54))
     assert not check(said("mounted_on", A, WallRef(0), 1.5), (3, 0.3, NORTH, 1.56))

@@ -119,6 +119,17 @@ def test_what_belongs_on_a_thing_at_a_wall_hangs_with_it() -> None:
     assert all(statement.met for statement in report.statements), report.statements
 
 
+def test_a_clock_that_is_asked_over_high_shelves_hangs_over_their_top() -> None:
+    shelves = Asset("bookshelf-0", "bookshelf", (0.3, 0.9, 1.8))
+    clock = Asset("wall_clock-0", "wall clock", (0.05, 0.3, 0.3), on_floor=False, on_wall=True)
+    scene = Scene(ROOM, (DESK, shelves, clock))
+    program = read_program("solver.against_wall(bookshelf[0])\nsolver.above(wall_clock[0], bookshelf[0])", scene)
+    built = compile_problem(scene, program).guess
+    over, under = built["wall_clock-0"], built["bookshelf-0"]
+    assert over.z - 0.15 >= 1.8
+    assert math.dist(over.at, under.at) < 0.2
+
+
 def test_a_long_chain_that_fits_nowhere_is_taken_apart_link_by_link(monkeypatch: pytest.MonkeyPatch) -> None:
     scene, _ = scene_from_sentence("seven cabinets in a row, 3 x 3.5 m")
     asked = read_words(scene).demands

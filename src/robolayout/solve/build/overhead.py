@@ -186,7 +186,7 @@ def _below(site: Site, name: str, wall: Wall, t: float) -> tuple[str | None, flo
     for span in here:
         centred = abs((span.rect[0] + span.rect[2]) / 2 - t) < HANGING.centred
         if span.name in over and centred and site.spots[span.name].wall == wall.index and span.name not in hung_over:
-            return span.name, 6.0 - over.index(span.name), top, ahead
+            return span.name, 6.0 - over.index(span.name), max(top, span.rect[3]), ahead
     return None, 0.0, top, ahead
 
 
