@@ -156,8 +156,15 @@ def test_wall_assets_touch_a_wall_and_nothing_else_will_do():
     for x, held in ((0.02, True), (0.04, True), (0.05, False), (2.0, False)):
         assert physics(*furnished(square(), (PICTURE, Pose(x, 3, 1.5, 0)))).supported["picture-0"] is held
     judged = physics(*furnished(square(), (PICTURE, Pose(0.52, 3, 1.5, 0))))
-    assert judged.reasons == ("picture-0 should hang on a wall but is 0.50 m from the nearest one.",)
+    assert judged.reasons == ("picture-0 should hang on a wall but its back is 0.50 m from the nearest one.",)
     assert not physics(*furnished(square(), (PICTURE, on_floor(PICTURE, 2, 3)))).supported["picture-0"]
+
+
+@pytest.mark.parametrize(
+    "pose", [Pose(0.02, 3, 1.5, math.pi), Pose(0.3, 3, 1.5, math.pi / 2), Pose(0.3, 3, 1.5, -math.pi / 2)]
+)
+def test_what_faces_its_wall_or_touches_it_edge_on_does_not_hang_there(pose):
+    assert not physics(*furnished(square(), (PICTURE, pose))).supported["picture-0"]
 
 
 def test_ceiling_assets_hang_at_this_rooms_ceiling():

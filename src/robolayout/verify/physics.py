@@ -157,16 +157,22 @@ def _held(scene: Scene, found: Boxes) -> NDArray[np.bool_]:
     tolerance = JUDGE.carried + 1e-9
     on_wall = np.array([asset.on_wall for asset in assets], dtype=bool)
     stands = np.array([a.on_floor or a.on_object or not (a.on_wall or a.on_ceiling) for a in assets], dtype=bool)
-    walls = room_polygon(scene.room).exterior
     floor = np.abs(found.bottom) <= tolerance
     ceiling = np.abs(found.top - scene.room.wall_height) <= tolerance
-    wall = shapely.distance(found.footprints, walls) <= tolerance
+    wall = ~shapely.intersects_xy(room_polygon(scene.room), *_behind(found, tolerance).T)
     held = found.placed & ((stands & floor) | (on_wall & wall) | (found.ceiling & ceiling))
     while True:  # a step up the trees that grow from floor, walls and ceiling; what no tree carries is not held
         carried = [row for row in np.flatnonzero(stands & ~held).tolist() if found.carrier(row, held) >= 0]
         if not carried:
             return held
         held[carried] = True
+
+
+def _behind(found: Boxes, far: float) -> NDArray[np.float64]:
+    """Return (n, 2) the points so many metres behind the middle of each back."""
+    away = np.array([asset.size[0] for asset in found.assets]) / 2 + far
+    yaw = found.poses[:, 3]
+    return found.poses[:, :2] - away[:, None] * np.stack([np.cos(yaw), np.sin(yaw)], axis=1)
 
 
 def _outside_sentence(scene: Scene, found: Boxes, row: int) -> str:
@@ -185,8 +191,8 @@ def _floating_sentence(scene: Scene, found: Boxes, row: int) -> str:
     if asset.on_ceiling:
         return f"{name} hangs {scene.room.wall_height - found.top[row]:.2f} m below the ceiling instead of from it."
     if asset.on_wall:
-        gap = found.footprints[row].distance(room_polygon(scene.room).exterior)
-        return f"{name} should hang on a wall but is {gap:.2f} m from the nearest one."
+        gap = shapely.Point(_behind(found, 0.0)[row]).distance(room_polygon(scene.room).exterior)
+        return f"{name} should hang on a wall but its back is {gap:.2f} m from the nearest one."
     contacts = found.contacts.get(row, {})
     under = " and ".join(found.names[lower] for lower in contacts)
     over = found.overhang(row, contacts) if contacts else 0.0
