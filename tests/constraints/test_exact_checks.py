@@ -334,6 +334,22 @@ def test_rows_are_as_far_apart_as_asked_but_for_those_back_to_back(
     assert check(rows, *places, assets=desks) is met
 
 
+@pytest.mark.parametrize(
+    ("pose", "met"),
+    [
+        ((3.0, 2.0, 0), True),
+        ((1.3, 2.0, 0), True),
+        ((1.1, 2.65, 0), False),
+        ((0.9, 2.0, 0), False),
+        ((4.9, 2.6, 0), False),
+    ],
+)
+def test_what_is_beside_one_of_two_things_is_not_between_them(pose: tuple[float, ...], met: bool) -> None:
+    plant = Asset("a-0", "plant", (0.3, 0.3, 0.6))
+    sofa = replace(TABLE, size=(0.9, 1.8, 0.8))
+    assert check(said("between", A, C, B), pose, (4.5, 2, 0), (1, 2, 0), assets=(plant, sofa, THIRD)) is met
+
+
 def test_a_bed_between_two_windows_may_have_its_back_to_their_wall() -> None:
     bed = Asset("a-0", "bed", (2.2, 1.8, 0.6))
     between = said("between", A, PointRef(1.0, 5.0), PointRef(5.0, 5.0))

@@ -7,12 +7,12 @@ from dataclasses import dataclass
 
 from shapely import LineString
 
-from robolayout.constraints._exact import TOLERANCE, footprint, frame
+from robolayout.constraints._exact import TOLERANCE, footprint, frame, shape
 from robolayout.constraints._refs import AssetRef, PointRef
 from robolayout.constraints._relation import FrameTerm, Interval, Outcome, Relation, Term, argument
 from robolayout.scene import Layout, Scene
 
-ENDS = 0.2  # part of that line, at either end, that the search keeps clear of
+ENDS = 0.2  # part of what is free of that line, at either end, that the search keeps clear of
 
 
 @dataclass(frozen=True)
@@ -33,21 +33,31 @@ class BetweenTwo(Relation):
         return "a thing stands between two different ones" if self.b == self.c else ""
 
     def terms(self, scene: Scene, near: Layout) -> tuple[Term, ...]:
-        """Return one row in the frame of the line between the two as they stand now."""
-        one, two = (frame(scene, near, ref) for ref in (self.b, self.c))
-        middle = PointRef((one.x + two.x) / 2, (one.y + two.y) / 2, yaw=math.atan2(two.y - one.y, two.x - one.x))
-        most = math.dist((one.x, one.y), (two.x, two.y)) * (0.5 - ENDS)
+        """Return one row in the frame of what is free of the line between the two as they stand now."""
+        free = self._free(scene, near)
+        (x, y), (u, v) = free.coords[0], free.coords[-1]
+        middle = PointRef((x + u) / 2, (y + v) / 2, yaw=math.atan2(v - y, u - x))
+        most = free.length * (0.5 - ENDS)
         deep = isinstance(self.b, PointRef) and isinstance(self.c, PointRef)  # windows, to whose wall it has its back
         half = TOLERANCE.aside / 2 + (max(scene.by_name[self.a.name].size[:2]) / 2 if deep else 0.0)
         return (FrameTerm(self.a, middle, along=Interval(-most, most), across=Interval(-half, half)),)
 
     def check(self, scene: Scene, layout: Layout) -> Outcome:
-        """Within 0.5 m of the line between the centres, and between them along it."""
-        here = layout[self.a.name]
-        one, two = (frame(scene, layout, ref) for ref in (self.b, self.c))
-        dx, dy = two.x - one.x, two.y - one.y
-        length = math.hypot(dx, dy) or 1.0
-        along = ((here.x - one.x) * dx + (here.y - one.y) * dy) / length
-        aside = footprint(scene, layout, self.a).distance(LineString([(one.x, one.y), (two.x, two.y)]))
-        met = 0.0 < along < length and aside <= TOLERANCE.aside
-        return Outcome(met, aside, TOLERANCE.aside, "m", f"{aside:.2f} m off the line between {self.b} and {self.c}")
+        """Within 0.5 m of the line between the centres, its middle between their edges along it."""
+        here, free = layout[self.a.name], self._free(scene, layout)
+        (x, y), (u, v) = free.coords[0], free.coords[-1]
+        along = ((here.x - x) * (u - x) + (here.y - y) * (v - y)) / (free.length or 1.0)
+        past = max(-along, along - free.length)
+        aside = footprint(scene, layout, self.a).distance(self._line(scene, layout))
+        text = f"{aside:.2f} m off the line between {self.b} and {self.c}"
+        text += f", {past:.2f} m past the edge of one" if past > TOLERANCE.gap else ""
+        return Outcome(past <= TOLERANCE.gap and aside <= TOLERANCE.aside, aside, TOLERANCE.aside, "m", text)
+
+    def _line(self, scene: Scene, layout: Layout) -> LineString:
+        return LineString([frame(scene, layout, ref).at for ref in (self.b, self.c)])
+
+    def _free(self, scene: Scene, layout: Layout) -> LineString:
+        """Return what of the line between their middles lies in neither; all of it where nothing does."""
+        line = self._line(scene, layout)
+        free = line.difference(shape(scene, layout, self.b)).difference(shape(scene, layout, self.c))
+        return free if isinstance(free, LineString) and free.length > 0.0 else line
