@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import pytest
+
 import robolayout as rl
 from robolayout.planners.sentence import scene_from_sentence
+from robolayout.scene import Asset, Opening, Room, Scene
 
 SENTENCE = "a bedroom for two children with a bunk bed, desks and a reading corner, 4 x 5 m, for a wheelchair user"
 
@@ -12,3 +15,35 @@ def test_a_mirror_makes_way_for_a_picture_that_nobody_would_get_to() -> None:
     scene, _ = scene_from_sentence(SENTENCE)
     report = rl.generate(scene).report
     assert report.ok, report.violations
+
+
+ROOM = Room(((0, 0), (4, 0), (4, 3), (0, 3)), 2.6, (Opening(0, 0.5, 0.9, 2.05),))
+
+
+@pytest.mark.parametrize(
+    ("category", "size", "bottom"),
+    [
+        ("washbasin", (0.48, 0.6, 0.86), 0.0),  # measured with its pedestal: it stands on the floor
+        ("washbasin", (0.4, 0.5, 0.18), 0.68),  # the bowl alone: its rim is 0.86 m high
+        ("toilet", (0.55, 0.36, 0.4), 0.05),
+        ("urinal", (0.35, 0.36, 0.6), 0.5),
+        ("radiator", (0.12, 1.0, 0.6), 0.1),
+        ("air conditioner", (0.25, 0.85, 0.3), 2.05),
+    ],
+)
+@pytest.mark.parametrize("agent", ["adult", "wheelchair"])
+def test_what_hangs_low_or_high_hangs_there(
+    category: str, size: tuple[float, float, float], bottom: float, agent: str
+) -> None:
+    scene = Scene(ROOM, (Asset("it", category, size, on_floor=False, on_wall=True),))
+    result = rl.generate(scene, agent=agent)
+    assert result.report.ok, result.report.violations
+    assert result.layout["it"].z - size[2] / 2 == pytest.approx(bottom, abs=0.011)
+
+
+def test_a_column_is_a_part_of_the_house_that_nobody_uses() -> None:
+    column = Asset("column-0", "column", (0.35, 0.35, 2.6))
+    bed = Asset("bed-0", "bed", (2.0, 1.6, 0.5))
+    report = rl.generate(Scene(ROOM, (column, bed), task_description="a bedroom with a column"), agent="adult").report
+    assert ("a column", "met") in {(row.words, row.verdict) for row in report.asked}
+    assert report.agents[0].usage.uses["column-0"].stand is None

@@ -150,9 +150,9 @@ class Added:
     def _too_high(self, name: str) -> bool:
         """Whether a thing that is opened hangs above what one of the bodies reaches: a wall cabinet for a child."""
         kind, role = self.wishes.kinds[name], self.wishes.role(name)
-        if kind.on_floor or kind.open_depth <= 0 or role is None or not role.height:
+        if kind.on_floor or kind.open_depth <= 0 or role is None or not role.hung(kind.size[2]):
             return False
-        bottom = role.height - kind.size[2] / 2
+        bottom = role.hung(kind.size[2]) - kind.size[2] / 2
         return any(agent.reach_distance is not None and bottom > agent.reach_high for agent in self.agents)
 
     def _companions(self, name: str) -> Mapping[str, int]:

@@ -95,10 +95,15 @@ class Role:
     clear: Mapping[str, float] = field(default_factory=dict[str, float])
     face: Face = Face(())  # what it has in front of it
     height: float = 0.0  # height in metres of the centre of a hung asset; 0 lets size decide
+    rim: float = 0.0  # height in metres of its upper edge instead, of what may also stand: a basin, a toilet
     above: tuple[str, ...] = ()  # roles over which a hung asset is centred
     # statements by way of standing
     say: Mapping[str, tuple[str, ...]] = field(default_factory=dict[str, tuple[str, ...]])
     top: bool = False  # whether small things may stand on it
+
+    def hung(self, height: float) -> float:
+        """Return how high in metres the centre of a hung thing is that is so high itself; 0 lets its size decide."""
+        return max(self.rim - height / 2, height / 2) if self.rim else self.height
 
     def stands_beside(self, role: str, slot: str = "beside") -> bool:
         """Return whether it usually stands beside a thing of some role, or at another side of it."""

@@ -88,7 +88,7 @@ def _role(knowledge: Knowledge, asset: Asset, category: Category) -> Role:
 def _fits(role: Role, asset: Asset) -> bool:
     """Whether the asset's flags allow any way of standing that the role knows."""
     allowed = {"hang": asset.on_wall, "ceiling": asset.on_ceiling, "rug": asset.on_floor and asset.size[2] <= 0.1}
-    stands = any(allowed.get(mode, asset.on_floor) for mode in role.stands)
+    stands = any(allowed.get(mode, asset.on_floor) for mode in role.stands) or (role.rim > 0 and asset.on_wall)
     return stands or any(_join_allowed(join, asset) for join in role.joins)
 
 

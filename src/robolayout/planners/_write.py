@@ -215,8 +215,8 @@ class Writer:
             if mode == "rug":
                 yield from self._fill(DATA["at"]["rug"].get(self.cast[owner].role.name, ()), values, 1.0)
         yield from self._fill(item.role.say[mode], values, SAYING.joined if item.name in self.formed else None)
-        if mode == "hang" and item.role.height:
-            yield _wish(f"mounted_on({a}, None, {item.role.height:g})")
+        if mode == "hang" and (high := item.role.hung(item.asset.size[2])):
+            yield _wish(f"mounted_on({a}, None, {high:g})")
         if mode == "hang" and over:
             yield _wish(_either([f"above({a}, {self._name(n)})" for n in over]))
         if mode == "ceiling" and owner is None:
@@ -314,7 +314,7 @@ class Writer:
             "wall": "None",
             "vertex": "None",
             "straight": "room",
-            "height": f"{item.role.height:g}" if item.role.height else "None",
+            "height": f"{high:g}" if (high := item.role.hung(item.asset.size[2])) else "None",
             "depth": f"{max(item.category.open_depth, 0.5):g}",
         }
         for name in self._faces(item)[:1]:

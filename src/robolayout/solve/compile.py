@@ -27,7 +27,7 @@ from robolayout.constraints.on_top_of import OnTopOf
 from robolayout.constraints.symmetric_pair import SymmetricPair
 from robolayout.floor import RoomContents
 from robolayout.program import Guess, Program
-from robolayout.scene import Asset, Layout, Pose, Scene
+from robolayout.scene import ROUNDING, Asset, Layout, Pose, Scene
 from robolayout.solve.build import furnished
 
 Floats = NDArray[np.float64]
@@ -277,6 +277,6 @@ def _heights(
         elif asset.on_ceiling:
             found[name] = ceiling - half
         else:
-            wanted = mounted.get(name, poses[name].z if poses[name].z > half else EYE_HEIGHT)
+            wanted = mounted.get(name, poses[name].z if poses[name].z >= half - ROUNDING else EYE_HEIGHT)
             found[name] = min(max(wanted, half), ceiling - half)
     return found

@@ -141,7 +141,8 @@ def _hang_cost(site: Site, name: str, wall: Wall, t: float) -> tuple[float, Spot
     owner, bonus, lift, ahead = _below(site, name, wall, t)
     window = next((one for one in _dressed(site, name, wall) if abs(one.center - t) < HANGING.centred), None)
     used = bool(use_sides(site.scene.by_name[name]))
-    above = (HANGING.work_above if used and ahead > 0 else HANGING.clear_above) + height / 2
+    clear = HANGING.work_above if used and ahead > 0 else HANGING.clear_above
+    above = clear * (lift > 0) + height / 2
     middle = max(want.height or max(HANGING.eye, 0.4 + height / 2), lift + above)
     if window is not None:
         bonus, middle = HANGING.dressing, window.sill + window.height + HANGING.clear_above - height / 2
