@@ -231,6 +231,14 @@ def test_findings_speak_of_the_numbers_on_the_drawing():
     assert "wall 2" in written and "D1" in written, "what a finding speaks of is named on the drawing"
 
 
+def test_names_of_rules_are_no_names_of_things():
+    scene = Scene(SQUARE, (Asset("bed", "bed", (2.0, 1.6, 0.5)),), agents=(WHEELS,), name="room")
+    notes = SheetNotes(rules=(("bed transfer", "bed has it on 2 of 2 sides", True),))
+    layout = Layout({"bed": Pose(2, 2, 0.25, 0)})
+    svg = ElementTree.fromstring(draw_sheet(scene, layout, notes, marks=PlanMarks(), agent=WHEELS).svg())
+    assert "bed transfer: bed (1) has it on 2 of 2 sides" in [words.text for words in texts(svg)]
+
+
 def test_a_list_that_finds_no_place_says_how_much_is_missing():
     rows = [(f"kind {k}", 0.2 + 0.0001 * k, 0.2, 0.2 + 0.3 * (k % 30), 0.2 + 0.3 * (k // 30)) for k in range(600)]
     scene, layout = furnished(Room(((0, 0), (10, 0), (10, 10), (0, 10)), 3), rows)

@@ -120,7 +120,7 @@ def sheet_notes(report: Report, date: str = "") -> SheetNotes:
     verdict = "all demands are met" if report.ok else "not all demands are met"
     helps = first.remedies.sentences(first.agent)
     rules = tuple(
-        (f"{row['name']}: {row['measured']} ({row['source']})", row["met"])
+        (row["name"], f"{row['measured']} ({row['source']})", row["met"])
         for row in rule_rows(report)
         if row["agent"] == first.agent.name
     )

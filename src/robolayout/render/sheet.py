@@ -40,7 +40,7 @@ class SheetNotes:
     areas: tuple[tuple[str, str], ...] = ()  # what is measured of the room, and the figure with its unit
     verdict: str = ""  # whether all demands are met, in a few words
     findings: tuple[str, ...] = ()  # what is wrong and what would help, in sentences
-    rules: tuple[tuple[str, bool], ...] = ()  # named rules with what was measured, in words, and whether each is met
+    rules: tuple[tuple[str, str, bool], ...] = ()  # names of rules, what was measured in words, and whether each is met
     # for each thing that stands on another one the name of that
     carriers: Mapping[str, str] = field(default_factory=dict[str, str])
 
@@ -195,7 +195,7 @@ def _blocks(given: _Given) -> list[Block]:
         for name, what, o in _openings(scene)
     ]
     findings = [Line(_numbered(sentence, given), "-") for sentence in notes.findings]
-    rules = [Line(_numbered(words, given), "met" if met else "NOT") for words, met in notes.rules]
+    rules = [Line(f"{rule}: {_numbered(words, given)}", "met" if met else "NOT") for rule, words, met in notes.rules]
     blocks = [
         Block("Room", tuple(areas)),
         Block("Doors and windows, m", tuple(sizes)),
