@@ -279,9 +279,11 @@ def test_a_gap_in_the_numbers_is_told() -> None:
 def test_misspelt_keys_are_told() -> None:
     data = changed("door", to=[])
     data["assets"]["bed-0"]["onfloor"] = True
+    data["doors"][0]["swnig"] = "in"
     warnings = scene_from_dict(data).warnings
     assert warnings == (
         "the scene: 'door' is not known; did you mean 'doors'?",
+        "doors[0]: 'swnig' is not known; did you mean 'swing'?",
         "asset 'bed-0': 'onfloor' is not known; did you mean 'onFloor'?",
     )
 

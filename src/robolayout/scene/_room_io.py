@@ -9,7 +9,7 @@ from itertools import combinations
 from typing import Any
 
 from robolayout._errors import SceneError
-from robolayout._reading import LIMITS, Checker
+from robolayout._reading import LIMITS, Checker, misspelt
 from robolayout.scene.room import OPENINGS, ROUNDING, Opening, Point, Room, Wall
 
 PLACE = ("wall", "offset", "width", "height")  # what a file always says of a door or window
@@ -125,6 +125,7 @@ def _openings(data: Mapping[str, object], key: str, room: Room, warnings: list[s
 
 def _opening(value: object, where: str, room: Room, warnings: list[str]) -> Opening:
     data = _CHECK.mapping(value, where)
+    warnings += misspelt(data, (*PLACE, "sill", *LEAF), where)
     index, count = _CHECK.required(data, "wall", where), len(room.walls)
     if isinstance(index, bool) or not isinstance(index, int) or not 0 <= index < count:
         raise SceneError(f"{where}.wall must be a whole number from 0 to {count - 1}, but is {index!r:.60}.")
