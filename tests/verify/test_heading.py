@@ -157,3 +157,13 @@ def test_what_a_body_would_have_to_slide_to_sideways_is_not_usable(slides: bool)
             "it could stand at its edge, but finds no way to drive there: left-0 and right-0 leave no room to turn"
         )
         assert report.figures["usable_share"] == pytest.approx(2 / 3) and "crate-0" in report.short
+
+
+def test_one_thing_alone_leaves_no_room_to_turn():
+    body = replace(CART, reach_distance=0.4, turning_radius=0.0)
+    crate, left = thing("crate-0", (1.2, 0.1, 1.0), "box"), thing("left-0", (1.3, 0.8, 1.0), "box")
+    places = (on_floor(crate, 1.95, 2.55), on_floor(left, 0.65, 2.2))
+    report = judge_agent(*furnished(square(2.6), *zip((crate, left), places, strict=True), agents=(body,)), body)
+    assert report.usage.uses["crate-0"].reason == (
+        "it could stand at its edge, but finds no way to drive there: left-0 leaves no room to turn"
+    )

@@ -81,7 +81,16 @@ def test_an_arm_too_short_is_not_helped_by_removals():
     nav = navigation(
         *furnished(square(5.0), (table, on_floor(table, 2.5, 2.5)), (cup, on_floor(cup, 2.5, 2.5, bottom=0.7))), ARM
     )
-    assert remedies(nav).sentences(ARM)[0] == "arm would reach cup-0 only by more than two removals or a longer reach."
+    (first, *_) = remedies(nav).sentences(ARM)
+    assert first == "arm would reach cup-0 only if it stood elsewhere, by more than two removals or a longer reach."
+
+
+def test_what_itself_blocks_the_door_is_said_to_belong_elsewhere():
+    room = square(4.0, doors=(Opening(0, 1.5, 0.9, 2.0),))
+    bed = thing("bed-0", (2.0, 2.0, 0.5))
+    nav = navigation(*furnished(room, (bed, on_floor(bed, 2.0, 1.05))), ARM)
+    (first, *_) = remedies(nav).sentences(ARM)
+    assert first == "arm would reach bed-0 only if it stood elsewhere, by more than two removals or a longer reach."
 
 
 def test_a_body_without_an_arm_is_not_asked_to_reach_what_stands_on_things():

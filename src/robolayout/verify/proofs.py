@@ -52,7 +52,10 @@ class Remedies:
         found: list[str] = []
         for sets, names in groups.items():
             ways = ", or without ".join(" and ".join(group) for group in sets)
-            change = f"without {ways}" if sets else "only by more than two removals or a longer reach"
+            elsewhere = (
+                f"if {'it' if len(names) == 1 else 'they'} stood elsewhere, by more than two removals or a longer reach"
+            )
+            change = f"without {ways}" if sets else f"only {elsewhere}"
             found.append(f"{agent.name} would reach {' and '.join(names)} {change}.")
         for (left, right), missing in self.gaps.items():
             found.append(f"{left} and {right} stand {missing:.2f} m too close together for {agent.name}.")

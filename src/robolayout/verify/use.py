@@ -392,8 +392,9 @@ class Usage:
             return f"its front has no room to open: {' and '.join(blockers)} in the way"
         sides = " or ".join(self._ways.sides[i] for i in numbers if self._ways.sides[i]) or "edge"
         if self._stranded(row) is not None:
-            near = " and ".join(self._cramping(row))
-            return f"it could stand at its {sides}, but finds no way to drive there{near and f': {near} leave no room to turn'}"
+            near = self._cramping(row)
+            why = f": {' and '.join(near)} leave{'s' * (len(near) == 1)} no room to turn" if near else ""
+            return f"it could stand at its {sides}, but finds no way to drive there{why}"
         if row in self._held:
             return "there is no place from which it could hold any of its doors and drawers until that is open"
         away = min((self._nearest(row, i) for i in numbers), default=math.inf)
