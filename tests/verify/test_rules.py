@@ -44,6 +44,27 @@ def test_routes_are_wide_enough_or_narrow_for_a_short_way(gap: float, thick: flo
     assert found.measured.value == pytest.approx(gap, abs=0.015)
 
 
+@pytest.mark.parametrize(
+    ("gap", "deep", "met", "text"),
+    [
+        (0.83, 0.6, True, "0.83 m just inside door 0, over 0.60 m only"),
+        (0.83, 0.65, False, "0.83 m just inside door 0, less than 0.915 m over 0.65 m"),
+        (0.81, 0.3, False, "0.81 m just inside door 0"),
+        (0.95, 0.65, True, "0.95 m or more to everything"),
+    ],
+)
+def test_what_flanks_the_door_narrows_the_way_in(gap: float, deep: float, met: bool, text: str):
+    """The first place at which the disc of a wheelchair can stand lies behind it: no way to anything leads through there."""
+    left, right = (thing(f"{side}-0", (deep, 1.2, 2.0), use_sides=()) for side in ("left", "right"))
+    box, beside = thing("box-0", (0.5, 1.0, 0.8)), gap / 2 + 0.6
+    found = judged(
+        square(doors=(Opening(0, 1.6, 0.8, 2.05),)),
+        *((one, on_floor(one, 2.0 + side * beside, deep / 2, 90.0)) for one, side in ((left, -1), (right, 1))),
+        (box, on_floor(box, 2.0, 3.6)),
+    )["route_width"]
+    assert (found.met, found.measured.text) == (met, text)
+
+
 def test_two_narrow_parts_close_together_count_as_one():
     room = Room(((0, 0), (4, 0), (4, 6), (0, 6)), 2.6, (DOOR,))
     box = thing("box-0", (0.5, 1.0, 0.8))

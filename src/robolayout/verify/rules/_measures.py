@@ -14,6 +14,7 @@ from shapely import LineString
 from shapely.geometry.base import BaseGeometry
 
 from robolayout.assets import category_of
+from robolayout.scene import OPENINGS
 from robolayout.verify._approaches import SIDES, needs_no_use, side_edge, strip, use_sides
 from robolayout.verify._boxes import corners, room_polygon
 from robolayout.verify._knees import is_sat_at, knee_width
@@ -43,20 +44,36 @@ def route_width(body: AgentReport) -> Measured | None:
     if not passages:
         return None
     narrow = {passage.asset for passage in passages} - _reached_by(nav, ADA.route)
-    worst = min(passages, key=lambda passage: passage.width)
-    if not narrow:
-        width = max(worst.width, ADA.route)
+    worst, inside = min(passages, key=lambda passage: passage.width), _inside_door(nav)
+    tight = inside[inside < ADA.route - ADA.close]
+    if not narrow and not len(tight):
+        width = max(min(worst.width, float(inside.min(initial=math.inf))), ADA.route)
         return Measured(True, width, f"{width:.2f} m or more to everything")
-    text = f"{worst.shown if worst.width else 'no way'} to {worst.asset}" + (
-        f", between {worst.sides}" if worst.sides else ""
-    )
-    pinches = _pinches(nav, narrow)
+    if narrow:
+        width = worst.width
+        text = f"{worst.shown if width else 'no way'} to {worst.asset}{worst.sides and f', between {worst.sides}'}"
+        pinches = _pinches(nav, narrow)
+    else:
+        width = float(tight.min())
+        text, pinches = f"{width:.2f} m just inside door 0", [] if width >= ADA.pinch - ADA.close else None
     if pinches is None:
-        return Measured(False, worst.width, text)
-    longest = max(pinches)
-    if longest > ADA.pinch_length:
-        return Measured(False, worst.width, f"{text}, less than {ADA.route} m over {longest:.2f} m")
-    return Measured(True, worst.width, f"{text}, over {longest:.2f} m only")
+        return Measured(False, width, text)
+    longest = max(*pinches, ADA.fine * len(tight), 0.0)
+    if longest > ADA.pinch_length + ADA.close:
+        return Measured(False, width, f"{text}, less than {ADA.route} m over {longest:.2f} m")
+    return Measured(True, width, f"{text}, over {longest:.2f} m only")
+
+
+def _inside_door(nav: Navigation) -> NDArray[np.float64]:
+    """Return the widths of the way in through the first door's landing: where the ways to things begin, it may lie behind."""
+    room = nav.scene.room
+    way = [room.walls[d.wall].point(d.center, depth) for d in room.doors[:1] for depth in (0.0, OPENINGS.landing_depth)]
+    return _widths(LineString(way), _solid(nav)) if way else np.zeros(0)
+
+
+def _solid(nav: Navigation) -> BaseGeometry:
+    """Return the walls and what is in the body's way."""
+    return shapely.union_all([room_polygon(nav.scene.room).exterior, *nav.blocking.shapes])
 
 
 def _space(nav: Navigation, width: float) -> Space:
@@ -77,10 +94,7 @@ def _pinches(nav: Navigation, names: Iterable[str]) -> list[float] | None:
         return None
     # Where the slim disc lies within a wide one that is free.
     covered = shapely.get_parts(wide.free.buffer((ADA.route - ADA.pinch) / 2))
-    mesh, solid = (
-        Triangulation(slim.main),
-        shapely.union_all([room_polygon(nav.scene.room).exterior, *nav.blocking.shapes]),
-    )
+    mesh, solid = Triangulation(slim.main), _solid(nav)
     found: list[float] = []
     for route in find_routes(nav.scene.room, slim, goals).values():
         found += _narrow(route.line, covered, mesh, solid)
@@ -116,6 +130,11 @@ def _through(part: LineString, covered: NDArray[np.object_], mesh: Triangulation
 
 def _length(line: LineString, solid: BaseGeometry) -> float:
     """Return on how much of a way walls or obstacles on its left and right leave less than the clear width between them."""
+    return float((_widths(line, solid) < ADA.route - ADA.close).sum()) * ADA.fine
+
+
+def _widths(line: LineString, solid: BaseGeometry) -> NDArray[np.float64]:
+    """Return how much walls or obstacles left and right of a way leave between them, up to twice the clear width."""
     at = np.arange(ADA.fine / 2, line.length, ADA.fine)
     points = shapely.get_coordinates(shapely.line_interpolate_point(line, at))
     ahead = shapely.get_coordinates(shapely.line_interpolate_point(line, at + ADA.close)) - points
@@ -125,7 +144,7 @@ def _length(line: LineString, solid: BaseGeometry) -> float:
         hit = shapely.intersection(shapely.linestrings(np.stack([points, points + side], axis=1)), solid)
         away = shapely.distance(shapely.points(points), hit)
         width += np.where(np.isnan(away), ADA.route, away)
-    return float((width < ADA.route - ADA.close).sum()) * ADA.fine
+    return width
 
 
 def door_width(body: AgentReport, least: float = ADA.pinch) -> Measured | None:
