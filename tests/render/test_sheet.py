@@ -231,6 +231,14 @@ def test_findings_speak_of_the_numbers_on_the_drawing():
     assert "wall 2" in written and "D1" in written, "what a finding speaks of is named on the drawing"
 
 
+def test_what_no_layout_can_do_is_said_once():
+    box = Asset("box", "box", (0.5, 0.5, 0.5))
+    scene = Scene(SQUARE, (box,), agents=(Agent("tank", 0.6, 1.5),), name="room")
+    findings = sheet_notes(verify(scene, Layout({"box": Pose(2, 2, 0.25, 0)}))).findings
+    assert "Door 0 is 0.90 m wide, tank needs 1.20 m: it cannot come in." in findings
+    assert len(findings) == len(set(findings))
+
+
 def test_names_of_rules_are_no_names_of_things():
     scene = Scene(SQUARE, (Asset("bed", "bed", (2.0, 1.6, 0.5)),), agents=(WHEELS,), name="room")
     notes = SheetNotes(rules=(("bed transfer", "bed has it on 2 of 2 sides", True),))

@@ -177,6 +177,22 @@ def test_what_is_not_asked_of_a_body_does_not_fail_the_report():
     )
 
 
+def test_what_is_too_far_and_too_high_is_said_to_be_both_and_no_removal_helps():
+    counter = thing("counter-0", (0.8, 1.4, 0.9), "kitchen counter")
+    cabinet = thing("cabinet-0", (0.3, 0.8, 0.7), "wall cabinet", on_floor=False, on_wall=True)
+    scene, layout = furnished(
+        square(),
+        (counter, on_floor(counter, 3.6, 2.0, 180.0)),
+        (cabinet, on_floor(cabinet, 3.85, 2.0, 180.0, bottom=1.4)),
+    )
+    report = verify(scene, layout, agent=replace(ARM, reach_distance=0.5, reach_high=1.2))
+    assert report.violations == (
+        "cabinet-0 is out of reach of arm: 0.60 m from the nearest place to stand, reach is 0.50 m; "
+        "it begins 1.40 m high, reach ends at 1.20 m: 0.20 m too high.",
+    )
+    assert report.agents[0].remedies.removals == {}
+
+
 def test_a_body_that_cannot_come_in_fails_the_report():
     scene, layout = good()
     report = verify(scene, layout, agent=replace(ARM, radius=0.5))

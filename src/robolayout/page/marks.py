@@ -124,7 +124,7 @@ def sheet_notes(report: Report, date: str = "") -> SheetNotes:
         for row in rule_rows(report)
         if row["agent"] == first.agent.name
     )
-    findings = (*first.impossible, *report.violations, *helps)
+    findings = (*report.violations, *helps)
     return SheetNotes(date, _areas(first), verdict, findings, rules, first.navigation.boxes.carried)
 
 

@@ -19,6 +19,7 @@ from shapely.geometry.base import BaseGeometry
 
 from robolayout._text import TOLD
 from robolayout.scene import ROUNDING, Agent, Layout, Point, Room, Scene
+from robolayout.scene.agent import horizontal_reach
 from robolayout.verify._boxes import Boxes, boxes, share
 from robolayout.verify._obstacles import Obstacles, obstacles
 from robolayout.verify._space import (
@@ -220,17 +221,45 @@ def shut_sentence(nav: Navigation, door: ShutDoor) -> str:
 
 
 def unreached_sentence(nav: Navigation, name: str) -> str:
-    """Return why an asset is not reached: a passage that is too narrow, or an arm that is too short."""
+    """Return why an asset is not reached: a passage that is too narrow, an arm that is too short, a height besides."""
     agent, passage = nav.agent, nav.passages[name]
-    needed = 2 * agent.radius
+    needed, high = 2 * agent.radius, beyond_height(nav, name)
+    high = f"; {high}." if high else "."
     if passage.cut_off:
-        return f"{name} cannot be reached by {agent.name}: there is no way to it, not even for a disc of 1 cm."
+        return f"{name} cannot be reached by {agent.name}: there is no way to it, not even for a disc of 1 cm{high}"
     if passage.between and passage.width < needed:
         return (
             f"{name} cannot be reached by {agent.name}: narrowest passage {passage.width:.2f} m, "
-            f"needs {needed:.2f} m, between {passage.sides}."
+            f"needs {needed:.2f} m, between {passage.sides}{high}"
         )
     return (
         f"{name} is out of reach of {agent.name}: {nav.distances[name]:.2f} m from the nearest place to stand, "
-        f"reach is {agent.reach:.2f} m."
+        f"reach is {agent.reach:.2f} m{high}"
+    )
+
+
+def beyond_height(nav: Navigation, name: str) -> str:
+    """Return why an asset is too high or too low for the body where it is; empty where it is not, and on the floor."""
+    row = nav.boxes.names.index(name)
+    bottom, top = float(nav.boxes.bottom[row]), float(nav.boxes.top[row])
+    return height_reason(nav.agent, bottom, top) if bottom > ROUNDING else ""
+
+
+def height_reason(agent: Agent, bottom: float, top: float) -> str:
+    """Return why something between two heights is too high or too low for a body; empty where it is not."""
+    if horizontal_reach(agent, bottom, top) is not None:
+        return ""
+    if bottom > agent.reach_high:
+        return f"it begins {bottom:.2f} m high, reach ends at {agent.reach_high:.2f} m: {bottom - agent.reach_high:.2f} m too high"
+    if top < agent.reach_low:
+        return (
+            f"it ends {top:.2f} m high, reach begins at {agent.reach_low:.2f} m: {agent.reach_low - top:.2f} m too low"
+        )
+    shoulder = agent.shoulder_height or 0.0
+    away = bottom - shoulder if bottom > shoulder else shoulder - top
+    if agent.reach_bands or away <= agent.reach:
+        return f"its hand gets to nothing {bottom:.2f} to {top:.2f} m high beyond its own footprint"
+    return (
+        f"it is {away:.2f} m {'above' if bottom > shoulder else 'below'} the shoulder at {shoulder:.2f} m, reach is "
+        f"{agent.reach:.2f} m: {away - agent.reach:.2f} m too {'high' if bottom > shoulder else 'low'}"
     )

@@ -24,7 +24,7 @@ from robolayout.verify._boxes import landings, prism_table, room_polygon
 from robolayout.verify._obstacles import NOTHING
 from robolayout.verify._space import disc_space, reached_by
 from robolayout.verify.limits import FINE, JUDGE
-from robolayout.verify.navigation import Navigation, misfits
+from robolayout.verify.navigation import Navigation, beyond_height, misfits
 from robolayout.verify.passages import largest
 from robolayout.verify.use import usage
 
@@ -203,6 +203,7 @@ def remedies(nav: Navigation) -> Remedies:
     aside = exempt_from_reach(nav.scene, nav.agent)
     largest = min((p.width for name, p in nav.passages.items() if name not in aside), default=0.0)
     wanted = [] if kept_out(nav.scene, nav.agent) else [name for name in nav.unreached if name not in aside]
+    wanted = [name for name in wanted if not beyond_height(nav, name)]  # what is too high is helped by no removal
     narrow = [nav.passages[name] for name in wanted if len(set(nav.passages[name].between)) == 2]
     return Remedies(
         removals=_removals(nav, wanted),

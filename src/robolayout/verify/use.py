@@ -32,7 +32,7 @@ from robolayout.verify._space import areas
 from robolayout.verify.heading import Drive, Headings, HeadingSpace, Region, entry, grown, rectangle
 from robolayout.verify.holds import find_hold
 from robolayout.verify.limits import JUDGE
-from robolayout.verify.navigation import Navigation, navigation
+from robolayout.verify.navigation import Navigation, height_reason, navigation
 
 if TYPE_CHECKING:
     from robolayout.verify.driving import Lattice
@@ -381,7 +381,7 @@ class Usage:
         bottom, top = float(found.bottom[row]), float(found.top[row])
         reach = horizontal_reach(agent, bottom, top)
         if reach is None:
-            return _height_reason(agent, bottom, top)
+            return height_reason(agent, bottom, top)
         numbers = self._ways.of(row)
         if not numbers:
             held = [joint.hold for joint, _ in handles(found, agent, row)]
@@ -423,20 +423,3 @@ class Usage:
 def usage(scene: Scene, layout: Layout, agent: Agent | None = None, *, nav: Navigation | None = None) -> Usage:
     """Judge what an agent can use."""
     return Usage(nav or navigation(scene, layout, agent))
-
-
-def _height_reason(agent: Agent, bottom: float, top: float) -> str:
-    if bottom > agent.reach_high:
-        return f"it begins {bottom:.2f} m high, reach ends at {agent.reach_high:.2f} m: {bottom - agent.reach_high:.2f} m too high"
-    if top < agent.reach_low:
-        return (
-            f"it ends {top:.2f} m high, reach begins at {agent.reach_low:.2f} m: {agent.reach_low - top:.2f} m too low"
-        )
-    shoulder = agent.shoulder_height or 0.0
-    away = bottom - shoulder if bottom > shoulder else shoulder - top
-    if agent.reach_bands or away <= agent.reach:
-        return f"its hand gets to nothing {bottom:.2f} to {top:.2f} m high beyond its own footprint"
-    return (
-        f"it is {away:.2f} m {'above' if bottom > shoulder else 'below'} the shoulder at {shoulder:.2f} m, reach is "
-        f"{agent.reach:.2f} m: {away - agent.reach:.2f} m too {'high' if bottom > shoulder else 'low'}"
-    )
