@@ -56,7 +56,9 @@ def room_page(file: Path, around: tuple[str, str]) -> str:
     """Return the page of one room: what was asked, pictures, figures, and links to its neighbours."""
     report = json.loads((FOLDER / file.stem / "report.json").read_text(encoding="utf-8"))
     scene = rl.load_scene(file)
-    figures = "".join(f"| {name} | {value} | {'' if met else '**short**'} |\n" for name, value, met in report["rows"])
+    figures = "".join(
+        f"| {name} | {value} | {'**short**' if met is False else ''} |\n" for name, value, met in report["rows"]
+    )
     wrong = "".join(f"- {sentence}\n" for sentence in report["violations"])
     return (
         f"# {title(file)}\n\n[before](../{around[0]}/README.md) - [all rooms](../README.md) - [next](../{around[1]}/README.md)\n\n"

@@ -208,6 +208,7 @@ def test_the_table_and_the_page():
     page = report.to_markdown()
     assert page.startswith("# scene: not all demands are met\n")
     assert "| statements met | 0.00 | **short** |" in page
+    assert ("collision free boxes", "1.00", None) in rows and "| collision free boxes | 1.00 | - |" in page
     assert "| bookshelf-0 | yes |" in page
 
 

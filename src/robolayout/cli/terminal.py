@@ -61,19 +61,17 @@ def bulleted(sentences: Sequence[str], where: str) -> None:
 
 def show(report: Report, files: Sequence[Path]) -> None:
     """Print what was asked and the short report, what is wrong, and where the files are."""
+    from robolayout.verify.present import VERDICTS, lying_about, rule_rows
+
     if report.asked:
         asked = [[row.words, row.understanding, row.verdict, row.value] for row in report.asked]
         table("Asked", ["words", "understood as", "verdict", "measured"], asked)
-    rows = [[name, value, "ok" if met else "SHORT"] for name, value, met in report.rows()]
+    rows = [[name, value, VERDICTS[met].replace("short", "SHORT")] for name, value, met in report.rows()]
     table(f"{report.scene.name} for {', '.join(a.agent.name for a in report.agents)}", ["check", "result", ""], rows)
     if report.rules:
-        from robolayout.verify.present import rule_rows
-
         found = [[name, text, met, source] for name, _, text, met, source in rule_rows(report)]
         table("rules of accessibility, beside the demands", ["rule", "measured", "", "source"], found)
     bulleted(report.violations, "report")
-    from robolayout.verify.present import lying_about
-
     say(*lying_about(report), *report.notes, *report.opinion.get("sentences", ()))
     if report.not_understood:
         say(report.not_understood)

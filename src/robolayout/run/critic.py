@@ -129,7 +129,10 @@ class CriticPass:
 
 def summary(report: Report) -> str:
     """Return what the judge measured, for the critic: the short table and what is wrong."""
-    lines = [f"- {name}: {value}{'' if met else ' (short of what is demanded)'}" for name, value, met in report.rows()]
+    lines = [
+        f"- {name}: {value}{' (short of what is demanded)' if met is False else ''}"
+        for name, value, met in report.rows()
+    ]
     wrong = Feedback(violations=report.violations).text(report.scene.expressions)
     return "\n".join([*lines, "", wrong or "Nothing is wrong."])
 

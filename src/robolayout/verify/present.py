@@ -18,6 +18,8 @@ if TYPE_CHECKING:
 LABELS = {"reachable_share": "reachable as it stands", "reachable_share_chairs_aside": "reachable with chairs aside"}
 """Names of figures for people, where they are not the keys."""
 
+VERDICTS = {True: "ok", False: "short", None: "-"}  # of a figure; of one that nobody demands there is none
+
 
 def label(name: str) -> str:
     """Return what a figure is called for people: "door_clear" is "door clear", "placed_share" is "placed"."""
@@ -61,7 +63,9 @@ def markdown(report: Report) -> str:
     lines = [f"# {plain(report.scene.name)}: {'all demands met' if report.ok else 'not all demands are met'}", ""]
     lines += _ledger(report.asked)
     lines += ["| check | result | |", "|---|---:|---|"]
-    lines += [f"| {name} | {value} | {'ok' if met else '**short**'} |" for name, value, met in report.rows()]
+    lines += [
+        f"| {name} | {value} | {VERDICTS[met].replace('short', '**short**')} |" for name, value, met in report.rows()
+    ]
     lines += _told(report)
     rules = [f"| {' | '.join(map(plain, row))} |" for row in rule_rows(report)]
     head = [RULES_ARE, "", "| rule | asks | measured | | source |", "|---|---|---|---|---|"]
@@ -83,7 +87,7 @@ def html(report: Report) -> str:
     """Return the short table and the first things that are wrong as HTML."""
     bodies = ", ".join(body.agent.title or body.agent.name for body in report.agents)
     verdict = "all demands met" if report.ok else "not all demands are met"
-    rows = [[name, value, "ok" if met else "short"] for name, value, met in report.rows()]
+    rows = [[name, value, VERDICTS[met]] for name, value, met in report.rows()]
     head = paragraph(f"{report.scene.name} for {bodies}: {verdict}")
     asked = [[row.words, row.understanding, row.verdict, row.value] for row in report.asked]
     head += table(["words", "understood as", "verdict", "measured"], asked) if asked else ""

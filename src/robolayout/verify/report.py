@@ -31,6 +31,8 @@ if TYPE_CHECKING:
 
 AgentSpec = Agent | str | Path | Mapping[str, Any]
 
+TOLD_ONLY = ("reachable_share", "collision_free_boxes_share")  # figures of which nothing is demanded
+
 
 @dataclass(frozen=True)
 class StatementResult:
@@ -142,8 +144,7 @@ class Report:
     @cached_property
     def unmet(self) -> tuple[str, ...]:
         """Names of the figures that fall short of what is demanded; exempt assets are not demanded of an agent."""
-        told = {"reachable_share": 0.0, "collision_free_boxes_share": 0.0}
-        least = dict.fromkeys(self.figures, 1.0) | vars(self.demands) | told
+        least = dict.fromkeys(self.figures, 1.0) | vars(self.demands) | dict.fromkeys(TOLD_ONLY, 0.0)
         if not any(report.short for report in self.agents):
             least |= {"reachable_share_chairs_aside": 0.0, "usable_share": 0.0}
         return tuple(name for name, value in self.figures.items() if value < least[name])
@@ -212,10 +213,11 @@ class Report:
             **({"opinion": dict(self.opinion)} if self.opinion else {}),
         }
 
-    def rows(self) -> tuple[tuple[str, str, bool], ...]:
-        """Return a short table: what was checked, what came out, whether that is enough."""
+    def rows(self) -> tuple[tuple[str, str, bool | None], ...]:
+        """Return a short table: what was checked, what came out, whether that is enough; None where nothing is demanded."""
         texts = {n: ("yes" if v else "no") if isinstance(v, bool) else f"{v:.2f}" for n, v in self.figures.items()}
-        return tuple((label(name), text, name not in self.unmet) for name, text in texts.items())
+        verdicts = {name: None if name in TOLD_ONLY else name not in self.unmet for name in texts}
+        return tuple((label(name), text, verdicts[name]) for name, text in texts.items())
 
     def to_markdown(self) -> str:
         """Return the content of `report.md`: the table, what is wrong, and the way to each asset."""
