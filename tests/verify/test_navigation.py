@@ -189,6 +189,27 @@ def test_open_floor_has_no_narrow_passage():
     assert (passage.shown, passage.between) == ("1.50 m or more", ())
 
 
+def test_no_passage_is_said_to_be_wider_than_what_stands_beside_it_leaves():
+    """A galley: the widest disc that reaches things from the door stops before fridge and counter, 0.956 m apart."""
+    room = Room(((0, 0), (2.2, 0), (2.2, 3.4), (0, 3.4)), 2.5, (Opening(0, 0.7, 0.8, 2.05),))
+    fridge, counter = thing("fridge-0", (0.65, 0.6, 1.85)), thing("counter-0", (0.6, 1.2, 0.9))
+    across, sink = thing("counter-1", (0.6, 0.6, 0.9)), thing("sink-0", (0.6, 0.8, 0.9))
+    stove = thing("stove-0", (0.6, 0.6, 0.9))
+    nav = navigation(
+        *furnished(
+            room,
+            (fridge, on_floor(fridge, 0.335, 0.31)),
+            (counter, on_floor(counter, 0.31, 1.27)),
+            (stove, on_floor(stove, 0.31, 2.23)),
+            (across, on_floor(across, 1.89, 1.13, 180.0)),
+            (sink, on_floor(sink, 1.89, 0.41, 180.0)),
+        )
+    )
+    assert nav.passages["stove-0"].width == pytest.approx(0.98, abs=0.0101)
+    for passage in nav.passages.values():
+        assert len(passage.ends) < 2 or math.dist(*passage.ends) >= passage.width - 0.0101, passage
+
+
 def test_an_l_shaped_room_is_walked_round_its_corner():
     room = Room(((0, 0), (5, 0), (5, 5), (4, 5), (4, 1), (0, 1)), 2.6, (Opening(5, 0.05, 0.9, 2.05),))
     picture = thing("picture-0", (0.04, 0.6, 0.5), on_floor=False, on_wall=True)

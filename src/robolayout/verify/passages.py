@@ -92,7 +92,8 @@ class Passages:
             group = {name: goals[name][0] for name, found in widest.items() if found == step}
             for name, place in self._necks(step, group).items():
                 between, ends = self._neighbours(place, step * FINE.step)
-                result[name] = replace(result[name], point=place, between=between, ends=ends)
+                if len(ends) < 2 or math.dist(*ends) >= 2 * (step - 1) * FINE.step:  # else it stops before these
+                    result[name] = replace(result[name], point=place, between=between, ends=ends)
         return result
 
     def _free(self, step: int) -> tuple[Space, list[bool]]:
