@@ -41,6 +41,16 @@ def test_what_hangs_low_or_high_hangs_there(
     assert result.layout["it"].z - size[2] / 2 == pytest.approx(bottom, abs=0.011)
 
 
+def test_a_basin_does_not_hang_over_what_stands_at_the_wall() -> None:
+    """Four beds along the walls leave free wall by the door: a basin over a bed, 1.1 m high at its foot, was thought cheaper."""
+    room = Room(((0, 0), (6.4, 0), (6.4, 5), (0, 5)), 2.7, (Opening(0, 2.7, 1.1, 2.05),), (Opening(2, 1, 2, 1.2, 0.9),))
+    beds = (Asset(f"bed-{i}", "hospital bed", (2.1, 0.95, 0.9)) for i in range(4))
+    stands = (Asset(f"stand-{i}", "night stand", (0.45, 0.45, 0.85)) for i in range(4))
+    basin = Asset("basin-0", "washbasin", (0.5, 0.6, 0.85), on_floor=False, on_wall=True)
+    layout = rl.generate(Scene(room, (*beds, *stands, basin)), agent="adult").layout
+    assert layout["basin-0"].z == pytest.approx(0.435, abs=0.011)
+
+
 def test_a_column_is_a_part_of_the_house_that_nobody_uses() -> None:
     column = Asset("column-0", "column", (0.35, 0.35, 2.6))
     bed = Asset("bed-0", "bed", (2.0, 1.6, 0.5))

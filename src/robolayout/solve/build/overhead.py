@@ -38,6 +38,7 @@ class Hanging:
     """Cost of hanging where another thing already is; more than of all that a body may miss together."""
     out_of_reach: float = 10.0
     """Cost of hanging what is used higher than the shortest arm gets, or where a door or drawer opens."""
+    raised: float = 0.4  # metres above its usual height from which on a thing hangs out of place: a basin over a bed
     between: float = 0.5  # metres between what stands before one hung thing and before the next
     apart: float = 0.01  # metres that a hung thing keeps from what stands or hangs beside it at the least
     crowded: float = 8.0  # cost of hanging where all of the floor that it is used from is taken
@@ -158,6 +159,7 @@ def _hang_cost(site: Site, name: str, wall: Wall, t: float) -> tuple[float, Spot
     covered = site.wall_conflict(rect, takers, HANGING.apart)
     cost = HANGING.covered * (covered > 0.0) + 20.0 * covered
     cost += HANGING.out_of_reach * (used and middle - height / 2 > top + HANGING.take_hold)
+    cost += HANGING.covered * (0.0 < want.height < middle - HANGING.raised)
     cost += 1.2 * site.wall_conflict((rect[0] - 0.4, rect[1], rect[2] + 0.4, rect[3]), takers)
     cost += 0.8 * abs(t - wall.length / 2) / wall.length * (1 + want.weights.get("mid_wall", 0.0)) - bonus
     cost += max(want.walls.values(), default=0.0) - want.walls.get(wall.index, 0.0)
