@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import random
+import re
+import tomllib
 from dataclasses import dataclass, field
+from pathlib import Path
 
 import pytest
 
-from robolayout.words import Lexicon, Mention, read_rooms, read_text
+from robolayout.words import Lexicon, Mention, _function_words, read_rooms, read_text
 
 LEXICON = Lexicon(read_rooms())
 THINGS = [
@@ -176,3 +179,15 @@ def test_random_sentences_are_read_as_they_were_made(first: int) -> None:
             for how in (link.relation, "at", *(["on"] if link.relation == "with" else []))
         }
         assert set(said.relations) <= read, said.text
+
+
+def test_each_list_of_small_words_has_a_reader_and_each_reader_its_list() -> None:
+    folder = Path(_function_words.__file__).parent
+    data = tomllib.loads((folder / "function_words.toml").read_text("utf-8"))
+    text = "\n".join(path.read_text("utf-8") for path in folder.glob("*.py"))
+    imported = ",".join(re.findall(r"_function_words import ([A-Z_, ]+)\n", text)).replace(" ", "")
+    named = {*re.findall(r"\bsmall\.([A-Z_]+)", text), *imported.split(",")}
+    assert all(getattr(_function_words, name) for name in named)
+    assert {name for name in (*data, *data["rows"]) if name != "rows"} <= {name.lower() for name in named}
+    with pytest.raises(AttributeError, match="has no list 'no_such_list'"):
+        _ = _function_words.NO_SUCH_LIST

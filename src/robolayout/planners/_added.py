@@ -4,15 +4,16 @@ from __future__ import annotations
 
 import math
 from collections import Counter
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import chain
 
 import numpy as np
 
+from robolayout.planners._knowledge import DATA
 from robolayout.planners._wishes import INSTEAD, LOW, RoomWishes, head
 from robolayout.scene import Agent
-from robolayout.words import SHAPES, WATCHING, Link, mentions, named, place_in, visits
+from robolayout.words import SHAPES, WATCHING, NamedThing, mentions, named, place_in, visits
 
 COMFORT, AIRY = 0.26, 0.15
 """Shares of the floor up to which further things are added: usually, and in a room that is to be airy."""
@@ -26,12 +27,9 @@ LARGER = 1.6  # how many times as large as usual a room is from which on it has 
 LIT = 22.0  # square metres that one ceiling lamp lights
 SPARE = 0.02  # metres between the top of a thing and the ceiling
 BROAD = 0.6  # metres of width from which on what flanks a thing takes the place of what usually stands there
-ALONE_ON_A_RUG = ("table", "kids table", "bed", "narrow bed", "child bed")
-"""Roles of what has a rug below it where it is the only one."""
-
 ON_A_RUG = 4  # seats of one kind that may stand around one rug
 
-SEATS = {"bench", "stool", "pew", "floor cushion"}  # what people sit on at tables in place of chairs
+SEATS, ALONE_ON_A_RUG = ({*DATA["nouns"][name]} for name in ("instead_of_chairs", "alone_on_a_rug"))
 
 
 @dataclass
@@ -66,8 +64,10 @@ class Added:
             self.spared |= {name for name in usual if name.endswith((*instead, "conference table", "dining table"))}
         self.named = self.spared | self.wished.keys()
         corners = [k for k in said if k.relation in ("corner", "cleared") or place_in(k.objects[:1], "corner")]
-        self.cornered = self._roles_of(corners)
-        self.bared = self._roles_of([link for link in corners if link.relation == "cleared" and link.objects[1:]])
+        bare = [link for link in corners if link.relation == "cleared" and link.objects[1:]]
+        self.cornered, self.bared = (
+            self._roles_of(m.thing for k in links for m in k.subjects) for links in (corners, bare)
+        )
         self.ceiling = (wishes.reading.measure("height") or (math.inf,))[0]
         self.found: dict[str, int] = {}
 
@@ -97,10 +97,9 @@ class Added:
         wishes, usual = self.wishes, [*self.room.base, *self.room.extras]
         links = [link for link in wishes.reading.parsed.links if link.relation in WATCHING]
         seen = (to.thing for link in links for one in link.subjects if one.sat_on for to in mentions(link.objects))
-        watched = {role.name for to in seen if (role := wishes.role(wishes.kind(to)))}
-        looks = (set(role.face.roles) for name in usual if (role := wishes.role(name)))
-        faced = set[str]().union(*(roles for roles in looks if roles & watched))
-        unseen = {name for name in usual if (role := wishes.role(name)) is not None and role.name in faced}
+        watched, playing = self._roles_of(seen), wishes.playing(usual)
+        faced = {one for role in playing.values() if watched & {*role.face.roles} for one in role.face.roles}
+        unseen = {name for name, role in playing.items() if role.name in faced}
         return unseen | {name for name in usual if unseen & self._companions(name).keys()}
 
     def _crowded_out(self) -> set[str]:
@@ -109,13 +108,14 @@ class Added:
         sides = set[str]()
         for link in wishes.reading.parsed.links:
             pair = (link.subjects, link.objects) if link.relation == "flank" else (link.objects, link.subjects)
-            beside, middle = ([wishes.kind(item.thing) for item in mentions(items)] for items in pair)
-            broad = beside and all(wishes.kinds[name].size[1] > BROAD for name in beside)
+            beside, middle = (named(items) for items in pair)
+            broad = beside and all(wishes.kinds[wishes.kind(thing)].size[1] > BROAD for thing in beside)
             if broad and link.relation in ("flank", "amid"):
-                sides |= {role.name for name in middle if (role := wishes.role(name))}
+                sides |= self._roles_of(middle)
         cleared = (link for link in wishes.reading.parsed.links if link.relation == "cleared")
-        before = self._roles_of([k for k in cleared if (at := place_in(k.objects)) and "front" in at.words])
-        roles = [(name, role) for name in usual if (role := wishes.role(name)) is not None]
+        free = [k for k in cleared if (at := place_in(k.objects)) and "front" in at.words]
+        before = self._roles_of(m.thing for k in free for m in k.subjects)
+        roles = wishes.playing(usual).items()
         found = {name for name, role in roles if any(map(role.stands_beside, sides))}
         low = [(name, role) for name, role in roles if head(name) == "table"]  # a coffee table before a sofa
         return found | {name for name, role in low if any(role.stands_beside(one, "front") for one in before)}
@@ -132,10 +132,9 @@ class Added:
 
     def _of_one(self, name: str) -> bool:
         """Return whether a thing would lie under one of several alike: a rug under the first of three tables."""
-        role, counts = self.wishes.role(name), Counter[str]()
-        for other, count in both(self.wished, self.found).items():
-            if (bearer := self.wishes.role(other)) is not None:
-                counts[bearer.name] += count
+        role, counts, there = self.wishes.role(name), Counter[str](), both(self.wished, self.found)
+        for other, bearer in self.wishes.playing(there).items():
+            counts[bearer.name] += there[other]
         over = next((kind for kind in role.above if counts[kind]), "") if role and role.stands == ("rug",) else ""
         return counts[over] > (1 if over in ALONE_ON_A_RUG else ON_A_RUG)
 
@@ -143,7 +142,7 @@ class Added:
         """Whether tops have room for everything that is added and can stand on some."""
         added, kinds = both(self.found, group), self.wishes.kinds
         area = {name: count * math.prod(kinds[name].size[:2]) for name, count in both(self.wished, added).items()}
-        tops = sum(area[name] for name in area if (role := self.wishes.role(name)) is not None and role.top)
+        tops = sum(area[name] for name, role in self.wishes.playing(area).items() if role.top)
         carried = (added[name] * math.prod(kinds[name].size[:2]) for name in added if "object" in kinds[name].places)
         return sum(carried) <= ON_TOPS * tops
 
@@ -176,8 +175,8 @@ class Added:
     def _worked_at(self, name: str) -> bool:
         """Return whether what belongs on desks is said to be on a thing, so that one sits there: "a computer on a table"."""
         links = [link for link in self.wishes.reading.parsed.links if link.relation == "on"]
-        on = [m.thing for k in links if name in map(self.wishes.kind, named(k.objects)) for m in k.subjects]
-        roles = [role for thing in on if (role := self.wishes.role(self.wishes.kind(thing)))]
+        on = (m.thing for k in links if name in map(self.wishes.kind, named(k.objects)) for m in k.subjects)
+        roles = self.wishes.playing(map(self.wishes.kind, on)).values()
         return any(role.joins and role.joins[0].of[0] == "desk" for role in roles)
 
     def _at_open_sides(self, name: str, most: int) -> int:
@@ -194,13 +193,12 @@ class Added:
         if join is None or self.wishes.kinds[name].places != ("object",):
             return most
         there = both(self.wished, self.found)
-        bearers = (there[one] for one in there if (other := self.wishes.role(one)) and other.name in join.of)
+        bearers = (there[one] for one, other in self.wishes.playing(there).items() if other.name in join.of)
         return min(most, max(join.most * sum(bearers), 1))
 
-    def _roles_of(self, links: Sequence[Link]) -> set[str]:
-        """Return the roles of what some relations are about."""
-        roles = (self.wishes.role(self.wishes.kind(mention.thing)) for link in links for mention in link.subjects)
-        return {role.name for role in roles if role is not None}
+    def _roles_of(self, things: Iterable[NamedThing]) -> set[str]:
+        """Return the names of the roles of things that are named."""
+        return {role.name for role in self.wishes.playing(map(self.wishes.kind, things)).values()}
 
     def _of_another(self, name: str, owner: str) -> bool:
         """Return whether a thing is said to be around, or with, other things than its owner alone: the chairs of a table."""

@@ -145,17 +145,14 @@ PLACELESS = ("point_towards", "align_with", "under", "above", "keep_clear")
 
 def said(demands: Iterable[Demand], *, placing: bool = False) -> list[Relation]:
     """Return the statements of the first ways of some demands, all or those that put something on the floor."""
-    firsts = [demand.ways[0] for demand in demands if not (placing and _off_the_middle(demand))]
-    if placing:  # how something is turned, and how far off a wall it is then, moves nothing, either
-        firsts = [
-            way for way in firsts if not any(one.name == "align_with" and len(one.asset_names()) == 1 for one in way)
-        ]
-    return [relation for way in firsts for relation in way if not (placing and relation.name in PLACELESS)]
-
-
-def _off_the_middle(demand: Demand) -> bool:
-    """Return whether a thing is only asked into one of several parts of the room, in which it stands as is usual."""
-    return len(demand.ways) > 1 and all(way[0].name == "zone" for way in demand.ways)
+    if not placing:
+        return [relation for demand in demands for relation in demand.ways[0]]
+    # in one of several parts of the room a thing stands as is usual
+    firsts = [one.ways[0] for one in demands if not one.ways[1:] or any(way[0].name != "zone" for way in one.ways)]
+    # how something is turned, and how far off a wall it is then, moves nothing, either
+    turned = ((way, [one for one in way if one.name == "align_with"]) for way in firsts)
+    placed = (way for way, looks in turned if all(len(one.asset_names()) > 1 for one in looks))
+    return [relation for way in placed for relation in way if relation.name not in PLACELESS]
 
 
 def subjects(demands: Iterable[Demand]) -> set[str]:
@@ -201,9 +198,8 @@ def open_beside(demands: Iterable[Demand]) -> dict[str, str]:
 def hung_over(scene: Scene, demands: Iterable[Demand]) -> dict[str, str]:
     """Return what stands on the floor below what is asked to hang above it, or above what it bears, on a wall, with the first of that."""
     found = dict[str, str]()
-    bearers = {
-        thing: bearer for thing, bearer in (one.asset_names() for one in said(demands) if one.name == "on_top_of")
-    }
+    on = (one.asset_names() for one in said(demands) if one.name == "on_top_of")
+    bearers = {thing: bearer for thing, bearer in on}
     for high, over in (one.asset_names() for one in said(demands) if one.name == "above"):
         low = bearers.get(over, over)
         if scene.by_name[high].on_wall and scene.by_name[low].on_floor:

@@ -10,7 +10,7 @@ import numpy as np
 from robolayout.assets import Category
 from robolayout.planners._wishes import RoomWishes
 from robolayout.scene import Opening, Room
-from robolayout.words import COMPASS, Place, Reading, grammar, sides, walls_meant
+from robolayout.words import COMPASS, Place, Reading, grammar, places, sides, walls_meant
 
 
 @dataclass(frozen=True)
@@ -97,7 +97,7 @@ def _wanted(reading: Reading, kind: str, usual: int, most: int) -> list[Wanted]:
         for i, wall in enumerate(walls):  # "windows in the north and west walls"
             share = max(count * (i + 1) // len(walls) - count * i // len(walls), 1)
             found.append(Wanted(share, wall, bool(large)))
-    objects = [o for link in reading.parsed.links for o in link.objects if isinstance(o, Place)]
+    objects = [place for link in reading.parsed.links for place in places(link.objects)]
     told = {(sides(o),): o for o in objects if o.name == kind and sides(o)}
     there = {word for wanted in found for word in wanted.wall.words}
     found += [Wanted(o.number or 1, o) for o in told.values() if not {*sides(o)} & there]
@@ -121,12 +121,11 @@ def _placed(room: Room, wishes: RoomWishes, name: str) -> Iterator[tuple[list[li
     walls = grammar().walls
     for link in wishes.reading.parsed.links:
         there = [wishes.kinds[mention.thing.noun.kind] for mention in link.subjects]
-        for place in link.objects:
-            if isinstance(place, Place) and place.name == name:
-                words = {walls[word] for word in place.words if walls.get(word) in COMPASS}
-                yield [_meant(room, Place("wall", (word,))) for word in words], there
-                if room.doors and name == "wall" and place.by is not None and place.by[1].name == "door":
-                    yield [_meant(room, place)], there
+        for place in places(link.objects, name):
+            words = {walls[word] for word in place.words if walls.get(word) in COMPASS}
+            yield [_meant(room, Place("wall", (word,))) for word in words], there
+            if room.doors and name == "wall" and place.by is not None and place.by[1].name == "door":
+                yield [_meant(room, place)], there
 
 
 def _held(room: Room, wishes: RoomWishes, least: float) -> set[int]:

@@ -137,7 +137,8 @@ def _anchor(item: Cast, cast: Mapping[str, Cast], handy: Set[str]) -> tuple[str,
                 for order, (name, other) in enumerate(cast.items())
                 if (name in handy or not join.on_top)
                 and (other.role.name == wanted or (wanted == "*" and other.role.top))
-                and taken[name] < _most(item.asset, other.asset, join)
+                and taken[name] < join.most
+                and (join.slot != "around" or taken[name] < most_seats(other.asset, item.asset))
                 and item.name not in chain(name, cast)
                 and _room_for(item.asset, other.asset, join, _covered(name, cast))
             ]
@@ -148,9 +149,8 @@ def _anchor(item: Cast, cast: Mapping[str, Cast], handy: Set[str]) -> tuple[str,
 
 def elsewhere(name: str, cast: Mapping[str, Cast], barred: Set[str]) -> Cast:
     """Return an asset as it joins anything but some; by itself where there is nothing for it."""
-    left = {other: one for other, one in cast.items() if barred.isdisjoint(chain(other, cast))} | {
-        name: cast[name].alone
-    }
+    left = {other: one for other, one in cast.items() if barred.isdisjoint(chain(other, cast))}
+    left[name] = cast[name].alone
     found = _anchor(left[name], left, left.keys())
     return left[name] if found is None else replace(left[name], anchor=found[0], join=found[1])
 
@@ -170,11 +170,6 @@ def _any_top(item: Cast, cast: Mapping[str, Cast]) -> tuple[str, Join] | None:
         if other.asset.on_floor and not other.asset.is_flat and item.name not in chain(name, cast)
     ]
     return (min(best)[-1], ON_ANY) if best else None
-
-
-def _most(asset: Asset, other: Asset, join: Join) -> int:
-    """Return how many of an asset may join another one; around it stand no more than fit."""
-    return min(join.most, most_seats(other, asset)) if join.slot == "around" else join.most
 
 
 def _room_for(asset: Asset, other: Asset, join: Join, covered: float) -> bool:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections import Counter
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property, reduce
 
@@ -32,31 +32,14 @@ from robolayout.words import (
     sized,
 )
 
-LOW = ("coffee table", "side table")
-"""Tables that have no chairs."""
-
-SMALL = (*LOW, "kids table", "dining table", "round table")
-"""Tables that may be meant by a small one."""
-
-GENERAL = ("desk", "bed", "table", "chair", "seat", "shelf", "sink", "counter", "mat", "monitor", "scale")
-"""Nouns that mean what is usual in a room: a desk of a classroom is a student desk."""
-
 LACKING, LIKELY, TELLING = 0.6, 0.9, 6.0
 """What a room loses by each thing that it always has and that is not named, and what makes it likely, in things that belong there."""
-
-LIKE = {"single bed": " bed", "sofa": " sofa"}
-"""What others with such a last word are like, of which no room type tells."""
-
-SLEPT_ON = {"bed", "single bed"}
-"""Things that tell that somebody sleeps in a room."""
 
 CARRIED = 0.5
 """Square metres of floor that a thing takes at the most to be put on another, where it is asked to stand there."""
 
 FOOTLESS = 0.09
 """Metres that a thing stands out from a wall at the most where it hangs there instead of standing on its foot."""
-
-SIZE_WORDS = {"small", "large", "big", "little"}
 
 Size = tuple[float, float, float]
 
@@ -68,13 +51,12 @@ APART_AT_TABLE = 0.03  # metres between seats that are wider
 FOR_TWO = 0.8  # metres of a table for two
 IN_A_SHAPE = 6  # things in a circle, a half circle or a U of which no number is said
 
-SEATS, AT_A_LINE = ("stool", "chair"), ("front", "by", "with", "wall", "next", "around")
-"""Last words of what sits before a counter, and relations that say so."""
-
-VAGUE = ("stand", "rack", "machine", "board")  # last words that do not say what a thing is for
-
 LARGEST = 8.0  # how many times as large as usual a room is up to which the number of its zones and people grows
 INSTEAD: Mapping[str, str] = DATA["instead"]
+LIKE: Mapping[str, str] = DATA["like"]
+LOW, SMALL, GENERAL, SLEPT_ON, SIZE_WORDS, SEATS, AT_A_LINE, VAGUE = (
+    (*DATA["nouns"][name],) for name in ("low", "small", "general", "slept_on", "sizes", "seats", "at_a_line", "vague")
+)
 
 
 def head(name: str) -> str:
@@ -119,11 +101,9 @@ class RoomWishes:
     @cached_property
     def kinds(self) -> Mapping[str, Category]:
         """All kinds of things, those of the user's own too, as they were first asked for: other words, other sizes."""
-        shared = {name: self.lexicon.kinds[name] for name in self.room.base if self._shared(name)}
-        usual = {
-            name: replace(kind, size=self._seating(name, kind.size, self.reading.people))
-            for name, kind in shared.items()
-        }
+        shared = (self.lexicon.kinds[name] for name in self.room.base if self._shared(name))
+        people = self.reading.people
+        usual = {kind.name: replace(kind, size=self._seating(kind.name, kind.size, people)) for kind in shared}
         return {**self.lexicon.kinds, **usual, **{kind.name: kind for kind in reversed(self.asked.values())}}
 
     @cached_property
@@ -156,9 +136,13 @@ class RoomWishes:
         """Return what a thing is for, None where no role says so."""
         return self.roles.get(self.kinds[name].like or name)
 
+    def playing(self, names: Iterable[str]) -> dict[str, Role]:
+        """Return what things are for, those of which no role says so aside."""
+        return {name: role for name in names if (role := self.role(name)) is not None}
+
     def useless(self, name: str, present: Collection[str]) -> bool:
         """Return whether a thing belongs at others of which none is there: a chair without a table, a candlestick without a top."""
-        if self.kinds[name].places == ("object",) and not any(role.top for role in map(self.role, present) if role):
+        if self.kinds[name].places == ("object",) and not any(role.top for role in self.playing(present).values()):
             return True
         role = self.role(name)
         wanted = {other for join in role.joins if not join.loose for other in join.of} if role else set[str]()
@@ -202,7 +186,7 @@ class RoomWishes:
         """
         said = [word for word in thing.noun.said.split() if word not in SIZE_WORDS]
         room, kind = self.room, thing.noun.kind
-        told = set(thing.adjectives) - SIZE_WORDS - LOOKS - {*grammar().sizes}
+        told = {*thing.adjectives}.difference(SIZE_WORDS, LOOKS, grammar().sizes)
         if len(said) != 1 or said[0] not in GENERAL or thing.noun.guessed or told:
             return kind
         (word,), links = said, self.reading.parsed.links
@@ -215,7 +199,7 @@ class RoomWishes:
         low = LOW if thing.sat_at or thing.people else ()
         fits = [name for name in items if name.split()[-1] == word and name.split()[0] != word and name not in low]
         if thing.noun.said == "small table":  # in a game room no pool table, beside a sofa no coffee table
-            fits = [name for name in fits if name in SMALL and (thing.noun.others or kind not in LOW)]
+            fits = [name for name in fits if name in (*LOW, *SMALL) and (thing.noun.others or kind not in LOW)]
         return next(iter(fits), kind)
 
     def _shown(self, thing: NamedThing) -> str:
@@ -329,7 +313,7 @@ def read_wishes(text: str, own: Knowledge) -> RoomWishes:
 def _settle_seats(chairs: Sequence[NamedThing], wishes: RoomWishes) -> None:
     """Settle how many chairs there are that are only named: "desks and chairs" are one for each desk, as many as sit at each table."""
     things, room = wishes.reading.parsed.things, wishes.room
-    tops = [one for one in things if one.head == "desk" or (one.noun.kind in SMALL and one.noun.kind not in LOW)]
+    tops = [one for one in things if one.head == "desk" or one.noun.kind in SMALL]
     tops = [one for one in tops if one.plural or (room.tables and one.head == "table")]
     for thing in chairs if len(tops) == 1 else ():
         usual = tops[0].count * (1 if tops[0].head == "desk" else room.at_table)
@@ -368,7 +352,7 @@ def _room(reading: Reading, rooms: RoomTypes) -> tuple[RoomType, list[str]]:
         known = ", ".join(sorted(rooms.rooms))
         raise SceneError(f"the sentence names no room; known room types: {known}; words are read in English.")
     likely = {name: room for name, room in rooms.rooms.items() if not room.by_name or kinds & {*room.telling}}
-    likely = _slept_in(likely, kinds) if kinds & SLEPT_ON else likely
+    likely = _slept_in(likely, kinds) if not kinds.isdisjoint(SLEPT_ON) else likely
     scores = {name: _belongs(kinds, room) for name, room in likely.items()}
     best = max(scores, key=lambda name: (scores[name], name == "room"))
     best = best if scores[best] >= LIKELY else "room"
@@ -379,7 +363,7 @@ def _room(reading: Reading, rooms: RoomTypes) -> tuple[RoomType, list[str]]:
 def _slept_in(rooms: Mapping[str, RoomType], kinds: set[str]) -> dict[str, RoomType]:
     """Return the rooms in which somebody sleeps; a home of one room only where one lives or cooks there, too."""
     lived = {*rooms["studio"].base, *rooms["kitchen"].base} - {*rooms["bedroom"].base, "desk", "office chair", "chair"}
-    found = {name: room for name, room in rooms.items() if SLEPT_ON & {*room.base, *room.person}}
+    found = {name: room for name, room in rooms.items() if {*SLEPT_ON} & {*room.base, *room.person}}
     return {name: room for name, room in found.items() if lived & kinds or name != "studio"}
 
 

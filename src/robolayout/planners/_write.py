@@ -8,13 +8,15 @@ from __future__ import annotations
 import math
 import re
 from collections import Counter
-from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence, Set
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
+from robolayout.planners import _asked as asked
 from robolayout.planners._knowledge import DATA, Face
 from robolayout.planners._roles import Cast, chain, passage
 from robolayout.scene import Scene
+from robolayout.words import Demand
 
 
 @dataclass(frozen=True)
@@ -40,22 +42,17 @@ class Saying:
 SAYING = Saying()
 
 
-@dataclass(frozen=True)
 class Writer:
-    """Writes what the knowledge says of a cast."""
+    """Writes what the knowledge says of a cast, with what the user's words ask of it."""
 
-    scene: Scene
-    cast: Mapping[str, Cast]  # its assets in their roles
-    asked: Set[str]  # things of which the user's words say where they stand: roles only wish then
-    formed: Set[str]  # those of them that stand in a circle or the like, each turned otherwise
-    first: Set[str]  # those of them that are placed first, before their corner or the wall for all of a row is taken
-    walled: Set[str]  # those of them whose wall the words leave to them
-    looked: Mapping[str, str]  # what is asked to look at something, and that
-    beside: Mapping[str, str]  # what keeps one of its sides clear, and the other side
-    # what the words hang something above on the wall, and what that is: nothing else hangs there
-    below: Mapping[str, str]
-    middle: Set[str]  # what is asked into the middle of the room
-    lain: Mapping[str, str]  # what is only asked to be before, beside or near one other thing, and that
+    def __init__(self, scene: Scene, cast: Mapping[str, Cast], words: Sequence[Demand]) -> None:
+        self.scene, self.cast = scene, cast
+        self.asked = asked.subjects(words)  # of these roles only wish where they stand
+        self.first = asked.needing_room(cast, words)  # before their corner or the wall for all of a row is taken
+        self.walled, self.formed = asked.held_by_walls(words), asked.formed(words)
+        self.looked, self.beside = asked.looked_at(words), asked.open_beside(words)
+        self.below = asked.hung_over(scene, words)  # nothing else hangs there
+        self.middle, self.lain = asked.in_the_middle(words), asked.lain_at(words)
 
     def order(self) -> list[str]:
         """Return all assets, what is placed first first: low ranks, big things, and what joins a thing right after it."""
@@ -123,9 +120,8 @@ class Writer:
 
     def _taken(self, item: Cast) -> float:
         """Return metres that others may take between a thing and what it stands beside."""
-        others = [
-            o for o in self.cast.values() if o.anchor == item.anchor and o.join.slot == item.join.slot == "beside"
-        ]
+        guests = (one for one in self.cast.values() if one.anchor == item.anchor)
+        others = [one for one in guests if one.join.slot == item.join.slot == "beside"]
         rank = others.index(item) if others else 0
         return sum((o.asset.size[1] + o.join.gap for o in others[: rank // 2 * 2 : 2]), 0.0)
 

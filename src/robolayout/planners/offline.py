@@ -8,19 +8,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from robolayout.assets import CATALOGUE
-from robolayout.planners._asked import (
-    asked_lines,
-    formed,
-    held_by_walls,
-    hung_over,
-    in_the_middle,
-    join_as_asked,
-    lain_at,
-    looked_at,
-    needing_room,
-    open_beside,
-    subjects,
-)
+from robolayout.planners._asked import asked_lines, join_as_asked
 from robolayout.planners._knowledge import SLOTS, Knowledge, load_knowledge
 from robolayout.planners._roles import Cast, cast_scene, chain, passage
 from robolayout.planners._types import Group, PlanRequest
@@ -76,10 +64,7 @@ class OfflinePlanner:
         scene, known = request.scene, set(request.placed or ())
         cast = join_as_asked(cast_scene(scene, self.knowledge), request.asked, passage(scene))
         about = set(request.group.items) if request.group else set(cast)
-        words = request.asked
-        first, walled = needing_room(cast, words), held_by_walls(words)
-        turned = looked_at(words), open_beside(words), hung_over(scene, words), in_the_middle(words), lain_at(words)
-        writer = Writer(scene, cast, subjects(words), formed(words), first, walled, *turned)
+        writer = Writer(scene, cast, request.asked)
         names = {written: name for name, written in scene.expressions.items()}
         text = ["# Walls: " + "; ".join(_wall(wall, scene.room) for wall in scene.room.walls)]
         asked = asked_lines(scene, request.asked, about | known)

@@ -19,7 +19,7 @@ from robolayout.assets import CATALOGUE, Category
 from robolayout.assets.palette import PALETTES
 from robolayout.constraints.in_shape import shape_slots
 from robolayout.planners._added import COMFORT, LARGER, SEATS, SPARE, Added, both
-from robolayout.planners._knowledge import load_knowledge
+from robolayout.planners._knowledge import DATA, load_knowledge
 from robolayout.planners._openings import with_openings
 from robolayout.planners._wishes import LOW, RoomWishes, head, read_wishes
 from robolayout.scene import FLAT_HEIGHT, Agent, Room, Scene, load_agent, scene_from_dict, variable_name
@@ -52,9 +52,7 @@ class Sizes:
 
 SIZES = Sizes()
 
-LOUNGE = {"sofa", "armchair", "bench", "stool", "booth", "pew", "recliner"}
-"""Last words of what people sit on where there is no table for chairs."""
-
+LOUNGE = {*DATA["nouns"]["lounge"]}
 ON_A_SOFA, AT_ONE_SOFA = 3, 5
 """People on a sofa, and with the armchairs that go with it."""
 

@@ -1,11 +1,11 @@
 """Sentences and criteria as rows: what is asked, what it asks of a scene, and whether a layout meets it."""
 
-from robolayout.words._kinds import WATCHING
-from robolayout.words._lexicon import KIN, Lexicon, dressing, grammar
+from robolayout.words._function_words import COUNTERS, KIN, SHAPES, WATCHING
+from robolayout.words._lexicon import Lexicon, dressing, grammar
 from robolayout.words._places import COMPASS, walls_meant
 from robolayout.words._said import Link, Mention, NamedThing, Place, mentions, named, place_in, places, sides
 from robolayout.words._tokens import Measure
-from robolayout.words._ways import COUNTERS, CROWD, SHAPES, visits
+from robolayout.words._ways import CROWD, visits
 from robolayout.words.demands import Demand
 from robolayout.words.ledger import AskedRow, Wishes, read_words, share_met
 from robolayout.words.reading import Reading, read_text, sized

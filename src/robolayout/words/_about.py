@@ -14,20 +14,7 @@ from robolayout.words._chunk import Chunk
 from robolayout.words._references import References
 from robolayout.words._said import Item, Link, Mention, Place, mentions, named, place_in, place_of
 from robolayout.words._tokens import Measure
-from robolayout.words._ways import CROWD, OTHER_SIDE, SEATS, TOPS
-
-CORNERS, WALLS = ("near", "far"), ("facing", "behind", "by", "with")
-"""Relations by which a door or window tells a corner or a wall from the others."""
-
-FREED: dict[str, tuple[str, ...]] = {
-    "front": ("front",),
-    "behind": ("back",),
-    "left": ("left",),
-    "right": ("right",),
-    "flank": ("left", "right"),
-    "around": ("front", "back", "left", "right"),
-}
-"""Sides of a thing at which floor may be said to be free, by relation."""
+from robolayout.words._ways import CROWD
 
 
 class About(References):
@@ -37,7 +24,8 @@ class About(References):
         """Return what a relation leads to; "between" takes two, and a wall may be told by what it is opposite to."""
         found: list[Item] = []
         while self.at < len(self.chunks):
-            self._skip()
+            while self._ahead().kind in ("filler", "style"):
+                self.at += 1
             item = self._object(chunk)
             if item is None:
                 break
@@ -162,7 +150,7 @@ class About(References):
         how = following[0].value if following[0].kind == "rel" else following[0].kind
         corner = wall.name == "corner" and following[1].value in ("door", "window")
         most = corner and bool(small.MOST & {*following[0].adjectives})  # "nearest the window"
-        if most != corner or how not in ("opposite", *(CORNERS if corner else WALLS)):
+        if most != corner or how not in ("opposite", *(small.TELLING_CORNERS if corner else small.TELLING_WALLS)):
             return wall
         self.at += 2
         self._understood(*following)
@@ -192,19 +180,19 @@ class About(References):
         place = place_in(objects[:1])
         if chunk.value == "opposite" and "other" in chunk.adjectives:  # "on the other side of the bed"
             said = [k for k in self.said.links if named(objects) & named(k.objects)]
-            sides = [k for k in said if k.relation in OTHER_SIDE][-1:]
-            there = [m for k in sides if OTHER_SIDE[k.relation] == "otherside" for m in k.subjects]
-            return (replace(chunk, value=OTHER_SIDE[sides[0].relation]) if sides else chunk), [*objects, *there]
+            sides = [k for k in said if k.relation in small.OTHER_SIDE][-1:]
+            there = [m for k in sides if small.OTHER_SIDE[k.relation] == "otherside" for m in k.subjects]
+            return (replace(chunk, value=small.OTHER_SIDE[sides[0].relation]) if sides else chunk), [*objects, *there]
         if place is not None and place.name == "room" and chunk.value in ("amid", "separates") and not objects[1:]:
             return replace(chunk, value="middle"), objects  # "a screen dividing the room"
         if place is not None and place.name == "room" and chunk.value in ("oneside", "end"):
             one = "one" in chunk.adjectives  # "at one end of the room"
             return replace(chunk, value="on"), [Place("side", () if one else ("far",), det="one" if one else "")]
-        sided = [link for link in self.said.links if link.relation in OTHER_SIDE and link.objects][-1:]
+        sided = [link for link in self.said.links if link.relation in small.OTHER_SIDE and link.objects][-1:]
         if place is None or not sided or (place.name, place.det) != ("side", "other"):
             return chunk, objects
-        there = sided[0].subjects if OTHER_SIDE[sided[0].relation] == "otherside" else ()
-        return replace(chunk, value=OTHER_SIDE[sided[0].relation]), [*sided[0].objects, *there]
+        there = sided[0].subjects if small.OTHER_SIDE[sided[0].relation] == "otherside" else ()
+        return replace(chunk, value=small.OTHER_SIDE[sided[0].relation]), [*sided[0].objects, *there]
 
     def _at_sides(self, chunk: Chunk, subjects: Sequence[Mention], place: Place | None) -> bool:
         """Seats on the sides or at the ends of a table stand around it; other things at a side are on top of it or beside it."""
@@ -222,16 +210,9 @@ class About(References):
             elif place is not None and place.det == "all" and seat.thing.plural and seat.thing.number is None:
                 seat.thing.number = 4  # "chairs on all sides"
         self.acted = list(seats)
-        at = [
-            link
-            for link in self.said.links
-            if link.relation in ("around", "oneside") and tables[-1] in named(link.objects)
-        ]
+        at = (k for k in self.said.links if k.relation in ("around", "oneside") and tables[-1] in named(k.objects))
         one = chunk.value == "oneside" or (place is not None and place.number == 1 and not place.plural)
-        there = [m for link in at if link.relation == "oneside" for m in link.subjects]
-        if place is not None and place.det == "other" and there:
-            self._link(replace(chunk, value="otherside"), seats, [Mention(tables[-1]), *there])
-        elif seats[0].thing not in {link.subjects[0].thing for link in at}:
+        if seats[0].thing not in {link.subjects[0].thing for link in at}:
             how = "oneside" if one else "around"
             self._link(Chunk("rel", chunk.start, chunk.end, how), seats, [Mention(tables[-1])])
             self.targets.append(Mention(tables[-1]))
@@ -242,7 +223,7 @@ class About(References):
         wall = place_in(objects[:1], "wall")
         if wall is None or wall.by or wall.plural or wall.words not in (("opposite",), ("opposing",)):
             return objects
-        here = [k for k in self.said.links if k.start >= self.began]
+        here = self._here
         far = here[-1:] if any(place_in(k.objects[:1], "wall") for k in here) else here[::-1]
         at = [place for k in far if (place := place_in(k.objects[:1], "window", "door"))]
         return [replace(wall, words=(), by=("opposite", at[0])), *objects[1:]] if at else objects
@@ -251,16 +232,15 @@ class About(References):
         """Note floor that is to stay free at a side of a thing: "1.5 m of free space on the left of the bed"."""
         ahead = list(takewhile(lambda c: c.kind in ("filler", "function", "part", "style"), self.chunks[self.at :]))
         led, after = self._ahead(len(ahead)), self._ahead(len(ahead) + 1)
-        last = self.said.links[-1] if self.said.links else None
         # "1.5 m of free space beside the bed and 1.2 m in front of it"
-        also = last is not None and last.relation == "cleared" and last.start >= self.began
+        also = self.said.last.relation == "cleared" and self.said.last.start >= self.began
         told = {word for c in ahead for word in (c.value, *c.adjectives)} & {*small.FREE, "space"}
         # "with 90 cm on each side of the bed"
         free = also or told or (led.value == "flank" and self._ahead(-2).kind == "with")
         its, following = led.det == "its", after.kind in ("thing", "pron")  # "1 m of clear space on its right"
         both = bool(self.group) and led.value == "flank" and not (its or following)  # "80 cm free on both sides"
         every = bool(self.group) and (led.value, after.value, after.det) == ("on", "side", "all")
-        known = both or every or (led.value in (*FREED, "amid") and (its or following))
+        known = both or every or (led.value in (*small.FREED, "amid") and (its or following))
         if measure.kind != "length" or not (free and known):
             return False
         self._understood(*ahead)
@@ -268,7 +248,7 @@ class About(References):
         self.about = []  # floor, no thing
         whose = self.group[-1:] if both or every else self._meant("it", led.value) if its else self._objects(led)
         about = mentions(whose)
-        sides = [Place("side", (side,)) for side in FREED.get("around" if every else led.value, ())]
+        sides = [Place("side", (side,)) for side in small.FREED.get("around" if every else led.value, ())]
         how, on, to = ("cleared", about, sides) if sides else ("apart", about[:1], about[1:])  # "between the two"
         end = after.end if every else led.end
         self.said.links.append(Link(how, (*on,), (*to,), chunk.start, end, (measure.values[0], math.inf)))
@@ -276,7 +256,7 @@ class About(References):
 
     def _aisles(self, chunk: Chunk, measure: Measure) -> bool:
         """Note how far rows are apart by what is between them: "aisles 1.5 m wide", "with 2 m aisles"."""
-        rows = [link for link in self.said.links if link.relation == "rows" and link.start >= self.began]
+        rows = [link for link in self._here if link.relation == "rows"]
         follows = self._ahead().value in ("aisle", "aisles")
         # "a 1.2 m aisle between them"
         amid = follows and (self._ahead(1).value, self._ahead(2).kind) == ("amid", "pron")
@@ -328,7 +308,7 @@ class About(References):
         last = self.group[-1:] or list(self.subject or ([self.target] if self.target is not None else []))
         does = {*self._ahead(-1).adjectives} & small.PLURAL_DOES and not self.relative  # "a sofa and a chair face it"
         heads = [mention.thing.head for mention in self.group[-2:]]
-        seated = len(heads) > 1 and heads[0] in TOPS and heads[1] in ("chair", "stool")
+        seated = len(heads) > 1 and heads[0] in small.TOPS and heads[1] in ("chair", "stool")
         lined = seated and relation in ("rows", "columns") and self.group[-2].several  # "desks and chairs in rows"
         if len(self.group) > 1 and (lined or does or self._shared(relation)):
             own = seated and (lined or (self._ahead().kind == "part" and following != "side"))
@@ -349,7 +329,7 @@ class About(References):
             told = told or (last[0].laid and not self.target.laid)  # "tissues on a small table between them"
         if self.target is not None and told and self.acted:
             return [self.target]
-        if self.target is not None and self.said.links and self.said.links[-1].relation == "in" and place:
+        if self.target is not None and self.said.last.relation == "in" and place:
             return [self.target]  # "toys in a box under the window"
         if relation in small.ORDERS and last and last[0].thing.count == 1:
             return list(self.group or self.subject)  # "fridge, stove and sink in a row"
@@ -380,7 +360,7 @@ class About(References):
         if (self.chunks[begun - 1].value == LISTED or across) and not again:
             return True  # "two shelves, a low one and a tall one, by the door", "a bed and a desk on opposite walls"
         had = "with" if relation == "flank" else ""
-        own = (k for k in self.said.links if k.start >= self.began and k.relation != had)
+        own = (k for k in self._here if k.relation != had)
         if again or not closed or self.target is not None or {m.thing for k in own for m in k.subjects} & {*earlier}:
             return False
         where, many = _where(relation, to), relation == "flank" and any(mention.several for mention in self.group)
@@ -395,7 +375,7 @@ class About(References):
             return True
         if earlier[0].count >= CROWD > last.count:
             return False  # "twenty desks and a teacher's desk in front of the board"
-        alike = all(mention.thing.head in (*SEATS, *TOPS) for mention in self.group)
+        alike = all(mention.thing.head in (*small.SEATS, *small.TOPS) for mention in self.group)
         if any(c.kind in ("room", "with", "colon") and c.start >= self.began for c in self.chunks[:begun]):
             return alike and not earlier[1:]
         return alike or not earlier[1:] or all(thing.definite for thing in earlier) or to.kind == "thing"
@@ -417,9 +397,8 @@ class About(References):
             return told if self.relative else list(self.subject or self.group)
         if previous.kind == "thing":
             return self._nearest(relation)
-        last = self.said.links[-1] if self.said.links else None
         of_it = previous.kind == "pron" and self.having and self.holder and not self.verb
-        if of_it and last and [*last.objects] == self.holder:
+        if of_it and [*self.said.last.objects] == self.holder:
             return list(self.holder)  # "a rug with a table on it in front of the sofa"
         if previous.kind == "pron" and not self.relative:
             return list(self.before or self.subject) if not self.group else list(self.group)

@@ -8,14 +8,8 @@ from itertools import pairwise
 
 from robolayout.words import _function_words as small
 from robolayout.words._chunk import NOTHING, Chunk
-from robolayout.words._lexicon import KIN, grammar
+from robolayout.words._lexicon import grammar
 from robolayout.words._tokens import count_of
-
-SAYING = ("is", "are", "of", "them", "which", "of which", "of them")
-"""Words between what is listed and how it looks: "one of them is red"."""
-
-BEFORE = ("and", "comma", "colon", "stop")
-"""What stands before each thing of a list."""
 
 LISTED = "listed"
 """What joins things that were counted before they were listed: what is said after them is about all."""
@@ -36,11 +30,8 @@ def described(chunks: Sequence[Chunk]) -> list[Chunk]:
         rest = [replace(found[i], number=more, plural=more > 1)] if items and more > 0 else []
         if items and {*between} <= {"and", "comma"} and (close or _at(found, end).kind in ("", "stop", "comma")):
             named = [*rest, *(item for item, _, _ in items)]
-            joined = [
-                c
-                for item in named
-                for c in (replace(NOTHING, kind="and", start=item.start, end=item.start, value=LISTED), item)
-            ]
+            marks = (replace(NOTHING, kind="and", start=item.start, end=item.start, value=LISTED) for item in named)
+            joined = [chunk for two in zip(marks, named, strict=True) for chunk in two]
             end += close and (_at(found, end).kind, _at(found, end + 1).kind) == ("comma", "rel")
             found[i:end] = [*joined[1:], *found[i + 1 : first - 1]]
         elif close:  # with where each of them is
@@ -53,9 +44,8 @@ def described(chunks: Sequence[Chunk]) -> list[Chunk]:
 def _listed(chunks: Sequence[Chunk], at: int) -> list[Item]:
     """Return what is listed after several things, in their sentence or all over the next one, where it is all of them."""
     several = chunks[at]
-    again = several.noun is not None and several.noun in [c.noun for c in chunks[:at]]
     opening = several.value in ("window", "door")
-    if again or not (several.kind == "thing" or opening) or not (several.plural or several.det == "both"):
+    if not (several.kind == "thing" or opening) or not (several.plural or several.det == "both"):
         return []
     stops = [*(k for k in range(at, len(chunks)) if chunks[k].kind == "stop"), len(chunks), len(chunks)]
     items = _items(chunks, at + 2, stops[0], several)
@@ -72,7 +62,7 @@ def _items(chunks: Sequence[Chunk], at: int, end: int, several: Chunk) -> list[I
     """Return what of several things is listed from one chunk to another."""
     found: list[Item] = []
     while at < min(end, len(chunks)):
-        item = _item(chunks, at, several) if chunks[at - 1].kind in BEFORE else None
+        item = _item(chunks, at, several) if chunks[at - 1].kind in small.BEFORE_AN_ITEM else None
         found += [item] if item is not None else []
         at = item[2] if item is not None else at + 1
     return found
@@ -90,7 +80,7 @@ def _item(chunks: Sequence[Chunk], at: int, several: Chunk) -> Item | None:
     if not (elided or other or (number and one.kind in ("filler", "other"))):
         return None
     end += other
-    while (chunk := _at(chunks, end)).kind in ("style", "measure") or chunk.value in SAYING:
+    while (chunk := _at(chunks, end)).kind in ("style", "measure") or chunk.value in small.SAYING:
         words += [chunk.value] * (chunk.kind == "style")
         sizes += [chunk.measure] if chunk.measure is not None else []
         end += 1
@@ -107,7 +97,7 @@ def _kind_of(one: Chunk, several: Chunk) -> bool:
     if one.noun is None or several.noun is None or one.noun == several.noun:
         return False
     said, head = several.noun.said.split()[-1], one.noun.said.split()[-1]
-    return head == said or KIN.get(head) == said or one.noun.kind.split()[-1] in grammar().groups.get(said, ())
+    return head == said or small.KIN.get(head) == said or one.noun.kind.split()[-1] in grammar().groups.get(said, ())
 
 
 def _at(chunks: Sequence[Chunk], at: int) -> Chunk:

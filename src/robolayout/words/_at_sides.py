@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from robolayout.constraints import AssetRef, Relation
+from robolayout.words import _function_words as small
 from robolayout.words import _ways as ways_of
 from robolayout.words._places import Asked, AtPlaces
 from robolayout.words._rows import ToldRows
@@ -31,7 +32,7 @@ class AtSides(AtPlaces):
         if {*it.subjects} <= {*self.told.shape}:
             return tuple(self.told.opening(it.subjects, [AssetRef(b) for b in it.others]))
         pairs = [two for two in self.opposed if {*two} <= {*it.subjects}]
-        if len(it.others) != 1 or 2 * len(pairs) != len(it.subjects) or not self._is(it.others[0], ways_of.WATCHED):
+        if len(it.others) != 1 or 2 * len(pairs) != len(it.subjects) or not self._is(it.others[0], small.WATCHED):
             return ()
         (b,) = map(AssetRef, it.others)
         return tuple(
@@ -53,20 +54,20 @@ class AtSides(AtPlaces):
 
     def _around_each(self, a: str, b: str) -> Demand:
         """Near it and turned to it; several sofas each at a side of their table: in an L, a U or all round."""
-        if self._is(b, ways_of.WATCHED) and self._is(a, ways_of.SEATS):
+        if self._is(b, small.WATCHED) and self._is(a, small.SEATS):
             return by_ways(ways_of.AROUND_WATCHED, a, b)
         if a in self.lounging:
             side, gaps = self.lounging[a]
             return Demand((self._at_side(side, [a], b, gaps),))
         gap = ways_of.NEAR if self._is(a, ("armchair", "sofa", "bag")) else ways_of.BESIDE
         near = stated("near", AssetRef(a), AssetRef(b), gap)
-        turns = not self._asset(a).is_flat and self._is(a, ways_of.SEATS)
+        turns = not self._asset(a).is_flat and self._is(a, small.SEATS)
         return Demand(((near, stated("point_towards", AssetRef(a), AssetRef(b))) if turns else (near,),))
 
     def _oneside(self, it: Asked) -> Iterator[Demand]:
         """At a side of a thing, whichever; seats all at one side of a table, the longer ones first."""
-        seats = all(self._is(a, ways_of.SEATS) for a in it.subjects)
-        if not (seats and len(it.others) == 1 and self._is(it.others[0], ways_of.BEARING)):
+        seats = all(self._is(a, small.SEATS) for a in it.subjects)
+        if not (seats and len(it.others) == 1 and self._is(it.others[0], small.BEARING)):
             yield from (single(stated("near", AssetRef(a), AssetRef(b), ways_of.BESIDE)) for a, b in it.twos)
             return
         (b,) = it.others
@@ -91,9 +92,9 @@ class AtSides(AtPlaces):
         self, side: str, subjects: Sequence[str], b: str, gaps: tuple[float, float] | None = None
     ) -> tuple[Relation, ...]:
         """Return that things stand at a side of another one, so far from it; seats look at it, under a table if nothing is said."""
-        at, found = gaps is not None or self._is(b, ways_of.BEARING), list[Relation]()
+        at, found = gaps is not None or self._is(b, small.BEARING), list[Relation]()
         for a in subjects:
-            sat_on = at and self._is(a, ways_of.SEATS)
+            sat_on = at and self._is(a, small.SEATS)
             low, high = gaps or (-ways_of.BESIDE if sat_on else 0.0, ways_of.NEAR)
             found.append(stated(side, AssetRef(a), AssetRef(b), low, high))
             found += [stated("align_with", AssetRef(a), AssetRef(b), ways_of.TOWARDS[side])] * sat_on

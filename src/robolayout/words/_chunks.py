@@ -17,12 +17,6 @@ from robolayout.words._closed import ClosedWords, heaped
 from robolayout.words._lexicon import LONGEST, Noun
 from robolayout.words._tokens import VAGUE, count_of
 
-PLACING = ("place", "put", "position", "install", "mount")
-"""Verbs that tell where a thing goes."""
-
-SIDES = {"left": "left", "right": "right", "foot": "foot", "head": "end"}
-"""Relations to a thing by the side of it that is named."""
-
 Before = tuple[str, int | None, str, int]
 """What stands before a noun: article, number, bound, rows."""
 
@@ -36,7 +30,8 @@ class Chunker(ClosedWords):
         at = 0
         while at < len(self.words):
             chunk = self._next(at)
-            put = bool(found) and found[-1].kind == "verb" and found[-1].value in PLACING  # "place a bar at the back"
+            # "place a bar at the back"
+            put = bool(found) and found[-1].kind == "verb" and found[-1].value in small.PLACING
             if chunk.kind == "room" and (put or any(c.kind == "room" and c.value != chunk.value for c in found)):
                 chunk = self._in_room(chunk, found)
             found.append(self._reshaped(without_noun(self.words, at, found, self._run)) or chunk)
@@ -136,12 +131,10 @@ class Chunker(ClosedWords):
             if kind == "and" or (kind == "pron" and size > 1 and phrase != "the two"):
                 return Chunk(kind, at, at + size, phrase)
         word = self.words[at]
-        if word in small.REFUSING and not self._bound(at)[0]:
+        if word == "nothing" or (word in small.REFUSING and not self._bound(at)[0]):
             return Chunk("not", at, at + 1, word)
         if word in small.WITH:
             return Chunk("with", at, at + 1)
-        if word == "nothing":
-            return Chunk("not", at, at + 1, word)
         if word == "to" and (owned := self._noun_phrase(at + 1)) is not None and owned.kind == "thing" and owned.value:
             return Chunk("rel", at, at + 1, "by")
         return Chunk("and", at, at + 1, word) if word in small.JOINING else None
@@ -347,11 +340,11 @@ class Chunker(ClosedWords):
         end = i + k + 1
         side = self._word(end) if noun is not None else ""
         part = self.grammar.parts.get(side) in ("side", "middle", "corner")
-        if side not in SIDES and not part:
+        if side not in small.OF_A_SIDE and not part:
             return None
-        while self._word(end) in ("hand", *SIDES, *self.grammar.parts):
+        while self._word(end) in ("hand", *small.OF_A_SIDE, *self.grammar.parts):
             end += 1
-        return Chunk("thing", at, end, SIDES.get(side, ""), noun, *before[:3], adjectives=tuple(run[:k]))
+        return Chunk("thing", at, end, small.OF_A_SIDE.get(side, ""), noun, *before[:3], adjectives=tuple(run[:k]))
 
     def _counted_after(self, end: int, number: int | None) -> tuple[int, int | None]:
         """Return how many words after a noun say its number, and that: "chairs (4)", "chairs: 4", "chairs x 4"."""

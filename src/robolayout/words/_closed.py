@@ -10,13 +10,6 @@ from robolayout.words._chunk import MARKS
 from robolayout.words._lexicon import LONGEST, Lexicon, grammar
 from robolayout.words._tokens import Measure, Token, count_of
 
-HEAPS = {
-    "stack": "stacked", "pile": "piled", "wall": "walled",
-    "half circle": "halfcircle", "semi circle": "halfcircle", "semicircle": "halfcircle", "arc": "halfcircle",
-    "circle": "circle", "ring": "circle", "horseshoe": "ushape", "u": "ushape", "u shape": "ushape",
-}  # fmt: skip
-"""Words before "of" that say how things stand, and what they are to the things: one on the other, along a wall, in a circle."""
-
 
 def heaped(words: Sequence[str]) -> list[str]:
     """Return how what follows some words stands: nothing where they say nothing of it.
@@ -25,7 +18,7 @@ def heaped(words: Sequence[str]) -> list[str]:
     ['halfcircle']
     """
     before = f" {' '.join(words)} "
-    return [how for phrase, how in HEAPS.items() if f" {phrase} of " in before][:1]
+    return [how for phrase, how in small.HEAPS.items() if f" {phrase} of " in before][:1]
 
 
 class ClosedWords:
@@ -81,7 +74,7 @@ class ClosedWords:
             return False
         if phrase in ("before", "row"):
             return phrase == "before" and (following in small.DETERMINERS or following in ("it", "them"))
-        if phrase in HEAPS.values() or phrase in ("diagonal", "angled"):
+        if phrase in small.HEAPS.values() or phrase in ("diagonal", "angled"):
             return not self._continues(end - 1) or following in small.JOINING
         return True
 
@@ -113,6 +106,6 @@ class ClosedWords:
     def _seats(self, i: int) -> bool:
         """Return whether a number is part of a name here: "two-seater", "twin bed"."""
         following, beyond = (*self.words[i + 1 : i + 3], "", "")[:2]
-        counted = following in ("door", "drawer", "person", "tier") and beyond not in MARKS and beyond.isalpha()
+        counted = following in ("door", "drawer", "person", "tier") and beyond.isalpha()
         counted = counted and beyond not in (*small.JOINING, *small.WITH, *small.DETERMINERS)
         return self.words[i] == "twin" or following in ("seat", "seater", "poster") or counted

@@ -12,6 +12,7 @@ from robolayout.constraints import AssetRef, PointRef, Relation, WallRef
 from robolayout.constraints.between import BetweenTwo
 from robolayout.constraints.in_shape import InShape
 from robolayout.scene import Scene
+from robolayout.words import _function_words as small
 from robolayout.words import _ways as ways_of
 from robolayout.words._at_sides import AtSides
 from robolayout.words._places import Asked, walls_meant
@@ -32,12 +33,12 @@ class Demander(AtSides):
         self.cornered = frozenset(a for _, it in asked if it.place and it.place.name == "corner" for a in it.subjects)
         self.askew = {name for link, it in asked if link.relation == "diagonal" for name in it.subjects}
         twos = [(link.relation, *two) for link, it in asked for two in it.twos]
-        sat_on = {a for _, a, _ in twos if self._is(a, ways_of.SEATS)}
+        sat_on = {a for _, a, _ in twos if self._is(a, small.SEATS)}
         seats = Counter(b for how, a, b in twos if how in ("with", "around") and a in sat_on)
         on_floor = [(how, a, b) for how, a, b in twos if self._asset(a).on_floor]
         backed = {b for how, a, b in on_floor if how == "flank" or (how == "behind" and a not in sat_on)}
         self.surrounded = frozenset(backed.union(name for name, count in seats.items() if count > 2))
-        seated = (one for one in scene.assets if self._is(one.name, ways_of.SEATS))
+        seated = (one for one in scene.assets if self._is(one.name, small.SEATS))
         hosted = any(not ways_of.visits(one.category) for one in seated)
         # desks with a seat behind them
         self.manned = {
@@ -76,8 +77,8 @@ class Demander(AtSides):
             return tuple(one for at in it.places for one in self._cleared(it.subjects, at.words[0], link.metres[0]))
         if relation in ("apart", "bare"):
             return tuple(self._apart(it, link.metres if any(link.metres) else ways_of.OFF_A_WALL))
-        if relation in ways_of.ENDS and place_in(link.objects, "room"):
-            return tuple(self._at_place(it.subjects, Place("side", (ways_of.ENDS[relation],))))
+        if relation in small.ENDS and place_in(link.objects, "room"):
+            return tuple(self._at_place(it.subjects, Place("side", (small.ENDS[relation],))))
         if relation in ways_of.IN_A_CHAIN:
             return tuple(self._chained(it, relation))
         if relation in ways_of.BY_TWOS:
@@ -117,7 +118,7 @@ class Demander(AtSides):
         each = [(it.subjects[0], group[0]) for group in it.groups if group]
         if len(it.subjects) == 1 and len(it.groups) > 1 and each:
             return each
-        return (replace(it, subjects=self._of_rows(it) or it.subjects) if relation in ways_of.ENDS else it).twos
+        return (replace(it, subjects=self._of_rows(it) or it.subjects) if relation in small.ENDS else it).twos
 
     def _of_rows(self, it: Asked) -> list[str]:
         """Return the middle one of straight rows, or of several abreast, that all look at one thing or stand before it."""
@@ -143,7 +144,7 @@ class Demander(AtSides):
             demand = by_ways((far,) if desks and amid else ways_of.BY_TWOS["mutual desks" if desks else relation], b, a)
             deep = sum(self._asset(name).size[0] for name in (a, b)) / 2  # their fronts are the sides that meet
             knees = (stated("distance_constraint", AssetRef(b), AssetRef(a), round(ways_of.KNEES + deep + amid, 3)),)
-            knees *= relation == "mutual" and self._is(a, ways_of.SEATS)
+            knees *= relation == "mutual" and self._is(a, small.SEATS)
             yield Demand(tuple((*way, *knees) for way in demand.ways))
 
     def _on_each(self, a: str, b: str) -> Demand:
@@ -158,10 +159,10 @@ class Demander(AtSides):
     def _with_each(self, a: str, b: str) -> Demand | None:
         """What a thing has: on it, if it can stand nowhere else, else at it."""
         asset = self._asset(a)
-        beside = asset.on_floor or self._is(b, ways_of.SLEPT_ON)
-        if asset.on_object and (not beside or self._is(b, ways_of.TOPS)):
+        beside = asset.on_floor or self._is(b, small.SLEPT_ON)
+        if asset.on_object and (not beside or self._is(b, small.TOPS)):
             return self._on_each(a, b)
-        if self._is(a, ways_of.SEATS) and self._is(b, ("desk", "counter", "island")):
+        if self._is(a, small.SEATS) and self._is(b, ("desk", "counter", "island")):
             across = b in self.manned and ways_of.visits(asset.category)
             return by_ways(ways_of.ACROSS_A_DESK[:1] if across else ways_of.AT_A_DESK, a, b)
         if beside or asset.on_wall:
@@ -208,7 +209,7 @@ class Demander(AtSides):
         """Left and right of a thing, in turn."""
         by: dict[str, list[str]] = {}
         for a, b in it.twos:
-            if self._is(b, ways_of.BEARING) and self._asset(a).on_object and not self._asset(a).on_floor:
+            if self._is(b, small.BEARING) and self._asset(a).on_object and not self._asset(a).on_floor:
                 yield self._on_each(a, b)
             else:
                 by.setdefault(b, []).append(a)
@@ -243,7 +244,7 @@ class Demander(AtSides):
 
     def _sits_behind(self, a: str, b: str) -> bool:
         """Return whether who sits on a thing that is behind another uses that from there."""
-        return self._is(a, ways_of.SEATS) and self._is(b, ("desk", "counter")) and not self._is(b, ("reception desk",))
+        return self._is(a, small.SEATS) and self._is(b, ("desk", "counter")) and not self._is(b, ("reception desk",))
 
     def _ways(self, relation: str, a: str, b: str) -> ways_of.Ways:
         """Return what a relation asks for; before a desk behind which somebody sits is the other side of it, where one looks at it."""
@@ -251,30 +252,30 @@ class Demander(AtSides):
             depth, width, _ = self._asset(b).size
             return ways_of.END_WALLS[relation == "end" and width >= depth][: 1 if relation == "foot" else 2]
         if relation in ("left", "right"):
-            if self._only_wall(b) or self._is(b, ways_of.WATCHED):
-                relation = ways_of.OTHER_SIDE[relation]  # as one sees it who looks at it
+            if self._only_wall(b) or self._is(b, small.WATCHED):
+                relation = small.OTHER_SIDE[relation]  # as one sees it who looks at it
             (((how, least, most),),) = ways_of.TO_ANOTHER[relation]
             return (((how, least, max(most, self._told(a, b))),),)  # "a plant 2 m to the left of it"
-        if relation == "end" and not self._is(b, ("table", *ways_of.SLEPT_ON)):
+        if relation == "end" and not self._is(b, ("table", *small.SLEPT_ON)):
             return ways_of.TO_ANOTHER["end"][1:]  # "a fridge at the end of the counter"
         if relation == "front" and self._told(a, b) > ways_of.AHEAD:  # "2.5 m in front of it"
-            looks = self._is(a, ways_of.SEATS) and self._is(b, (*ways_of.WATCHED, "stand"))
+            looks = self._is(a, small.SEATS) and self._is(b, (*small.WATCHED, "stand"))
             return ((("in_front_of", 0.0, self._told(a, b)), *((("point_towards",),) * looks)),)
-        watching = self._is(a, ways_of.SEATS) and self._is(b, ways_of.WATCHED) and a not in self.askew
+        watching = self._is(a, small.SEATS) and self._is(b, small.WATCHED) and a not in self.askew
         if relation == "front" and watching:
             return ways_of.BEFORE_WATCHED
         if relation == "front" and self._into_a_mirror(a, b):
             return ways_of.BEFORE_A_MIRROR
         if relation != "front" or b not in self.manned:
             return ways_of.TO_ANOTHER[relation]
-        return (ways_of.ACROSS_A_DESK[0 if self._is(a, ways_of.SEATS) else 1],)
+        return (ways_of.ACROSS_A_DESK[0 if self._is(a, small.SEATS) else 1],)
 
     def _told(self, a: str, b: str) -> float:
         """Return the most metres that are told to lie between two things, 0 where none are."""
         return min(self.metres.get((a, b), (0.0, 0.0))[1], ways_of.ACROSS)
 
     def _into_a_mirror(self, a: str, b: str) -> bool:
-        return self._is(a, ways_of.SEATS) and self._is(b, ("mirror",))
+        return self._is(a, small.SEATS) and self._is(b, ("mirror",))
 
     def _opposite(self, it: Asked) -> Iterator[Demand]:
         """Across from a thing, seats that look there side by side; from a place, looking at it."""
@@ -284,7 +285,7 @@ class Demander(AtSides):
             yield from self._facing(replace(it, groups=()))
         last: dict[str, str] = {}
         for a, b in it.twos:
-            sat_on = self._is(a, ways_of.SEATS) and a not in self.askew
+            sat_on = self._is(a, small.SEATS) and a not in self.askew
             demand = by_ways(ways_of.OPPOSITE_SEATS if sat_on else ways_of.OPPOSITE, a, b)
             yield self._or_abreast(a, last.get(b) if sat_on else None, demand)
             last[b] = a
@@ -366,7 +367,7 @@ class Demander(AtSides):
         for part in self.told.groups(it.subjects):
             if self._is(part[0], ("desk",)) and alike(self.scene, part):
                 yield in_rows(part, min(2, len(part) // 2), "paired")
-            elif self._is(part[0], ways_of.SEATS) and len(part) > 2 and alike(self.scene, part):
+            elif self._is(part[0], small.SEATS) and len(part) > 2 and alike(self.scene, part):
                 yield single(InShape(tuple(map(AssetRef, part)), "circle"))
             else:
                 yield from self._huddle(Asked(part))

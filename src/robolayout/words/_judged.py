@@ -11,10 +11,10 @@ from shapely.geometry.base import BaseGeometry
 from robolayout.assets import category_of
 from robolayout.constraints import Relation
 from robolayout.scene import Layout, Scene
+from robolayout.words import _function_words as small
 from robolayout.words._lexicon import grammar
 from robolayout.words._said import Item, Place
 from robolayout.words._tokens import Measure
-from robolayout.words._ways import SEATS
 from robolayout.words.demands import Demand
 
 Verdict = Literal["met", "unmet", "not judged", "not understood"]
@@ -131,7 +131,7 @@ def seated(people: int, room: Furnished) -> Finding:
     """Judge whether there are seats for so many."""
     there = [asset for asset in room.scene.assets if asset.name in room.layout]
     wide = [(category_of(asset).name.split()[-1], max(int(asset.size[1] // SEAT), 1)) for asset in there]
-    seats = sum(many if kind in ("sofa", "bench") else 1 for kind, many in wide if kind in SEATS)
+    seats = sum(many if kind in ("sofa", "bench") else 1 for kind, many in wide if kind in small.SEATS)
     return met(seats >= people, f"{seats} seats there")
 
 

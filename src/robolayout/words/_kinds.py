@@ -10,13 +10,6 @@ from robolayout.assets.lexicon import phrase_index
 from robolayout.scene import FLAT_HEIGHT
 from robolayout.words import _function_words as small
 from robolayout.words._said import Link, NamedThing, Parsed, Place, mentions, place_in
-from robolayout.words._ways import AT_SIDES, BEARING, COUNTERS, SEATS, TOPS
-
-WATCHING = ("front", "facing", "opposite", "around")
-"""Relations of seats to what they look at."""
-
-LIGHTS = ("lamp", "light")
-"""Nouns of what may stand on a top or on the floor, or hang."""
 
 
 def settle_kinds(parsed: Parsed) -> None:
@@ -63,7 +56,7 @@ def _settle_by_company(parsed: Parsed, heads: Set[str]) -> None:
     lives = {(chunk.kind, chunk.value) for chunk in parsed.facts if chunk.kind in ("body", "people")}
     pets = bool(lives) and not rooms and all(kind == "body" and body in small.PETS for kind, body in lives)
     kinds = {thing.noun.kind for thing in parsed.things}
-    bar = kinds & COUNTERS and not heads & {"table", "desk", "piano", "bench"}
+    bar = kinds & small.COUNTERS and not heads & {"table", "desk", "piano", "bench"}
     played = kinds & small.INSTRUMENTS and not heads & {"table", "desk"}
     for thing in parsed.things:
         if thing.noun.said == "bench" and played and thing.count == 1:
@@ -97,20 +90,20 @@ def _take(thing: NamedThing, kind: str) -> None:
 def _settle_by_others(link: Link) -> None:
     """Take tables between lounge seats for low ones, stools at counters for high ones, what parts or is looked at for screens."""
     to = [item.thing for item in mentions(link.objects)]
-    heads, amid = {thing.head for thing in to}, link.relation == "amid"
+    heads, amid, around = {thing.head for thing in to}, link.relation == "amid", link.relation == "around"
     for thing in (mention.thing for mention in link.subjects if to):
         if amid and heads <= small.LOUNGE and thing.noun.kind in small.TABLES:
             _take(thing, "coffee table" if "sofa" in heads else "side table")
-        elif thing.noun.said == "small table" and thing.noun.others and link.relation in (*AT_SIDES, "front"):
+        elif thing.noun.said == "small table" and thing.noun.others and link.relation in (*small.AT_SIDES, "front"):
             _take(thing, "coffee table" if link.relation == "front" and heads <= small.LOUNGE else "side table")
         elif thing.noun.words == "stool" and any(other.noun.kind.endswith(small.HIGH) for other in to):
             _take(thing, "bar stool")
-        elif thing.noun.kind == "cushion" and (heads <= {"rug"} or (link.relation == "around" and heads & {*TOPS})):
+        elif thing.noun.kind == "cushion" and (heads <= {"rug"} or (around and heads & small.TOPS)):
             _take(thing, "floor cushion")
-        elif thing.noun.kind == "curtain" and (amid or link.relation == "around"):
+        elif thing.noun.kind == "curtain" and (amid or around):
             _take(thing, "privacy screen")
-    watched = link.relation in WATCHING and any(m.thing.head in (*SEATS, "projector") for m in link.subjects)
-    for thing in to if watched else ():
+    looks = any(m.sat_on or m.thing.head == "projector" for m in link.subjects)
+    for thing in to if looks and link.relation in small.WATCHING else ():
         if thing.noun.said == "screen":
             _take(thing, "projection screen")
 
@@ -118,7 +111,7 @@ def _settle_by_others(link: Link) -> None:
 def _settle_by_place(link: Link) -> None:
     """Take what hangs, stands or lies where a relation puts it for a kind that can be there."""
     to = mentions(link.objects)
-    lit = [m for m in to if link.relation == "under" and m.thing.noun.said in LIGHTS]
+    lit = [m for m in to if link.relation == "under" and m.thing.noun.said in small.LIGHTS]
     place = "ceiling" if lit else _where(link)
     for thing in (mention.thing for mention in lit or link.subjects):
         noun = thing.noun
@@ -126,7 +119,7 @@ def _settle_by_place(link: Link) -> None:
             own = phrase_index().get(f"{noun.said} stand", ())[:1]
             if link.relation == "on" and bearer.noun.said == "stand" and own:
                 bearer.noun = replace(bearer.noun, words=own[0], kind=own[0], guessed="")
-        stands = thing.category.on_floor and noun.said not in (*LIGHTS, "screen")
+        stands = thing.category.on_floor and noun.said not in (*small.LIGHTS, "screen")
         if place == "wall" and link.relation != "above" and stands:
             continue
         fits = [kind.name for kind in noun.categories if place in kind.places]
@@ -150,12 +143,13 @@ def _where(link: Link) -> str:
         return "ceiling" if link.relation == "above" else standing
     bearer = to.thing
     if link.relation == "above":
-        return "ceiling" if bearer.head in (*TOPS, "chair", "island") else "wall"
+        return "ceiling" if bearer.head in (*small.TOPS, "chair", "island") else "wall"
     if link.relation == "on":
         return "floor" if bearer.category.size[2] < FLAT_HEIGHT else "object"
-    if link.relation == "with" and bearer.head in (*BEARING, "stand"):
+    if link.relation == "with" and bearer.head in (*small.BEARING, "stand"):
         return "object"
-    if link.relation == "with" and bearer.head in SEATS and all(m.thing.noun.said in LIGHTS for m in link.subjects):
+    lit = all(mention.thing.noun.said in small.LIGHTS for mention in link.subjects)
+    if link.relation == "with" and bearer.head in small.SEATS and lit:
         return "floor"  # "an armchair with a lamp"
     if link.relation == "flank" and bearer.noun.kind.endswith("bed"):
         return ""  # on the night stands

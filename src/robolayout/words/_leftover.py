@@ -14,9 +14,8 @@ from robolayout.words._tokens import count_of
 
 def leftover(chunks: Sequence[Chunk], said: Parsed) -> list[Chunk]:
     """Return every chunk that says something and is part of no row, with its whole clause; one for each clause."""
-    noted = [chunk for chunk in (*said.facts, *said.missed) if chunk.kind != "rel"]
-    spans = [(part.start, part.end) for part in (*noted, *said.links)]
-    spans += [thing.spans[0] for thing in said.things if thing.spans]
+    spans = [(part.start, part.end) for part in (*said.facts, *said.missed, *said.links)]
+    spans += [thing.spans[0] for thing in said.things]
     spans += [span for _, span in (*said.refused, *said.openings)]
     covered = said.read.union(*(range(*span) for span in spans))
     found: dict[int, Chunk] = {}
@@ -33,7 +32,7 @@ def leftover(chunks: Sequence[Chunk], said: Parsed) -> list[Chunk]:
             told = told and chunk.start not in idle
             if not told and _says(chunk, clause[i + 1 :]) and not (chunk.kind == "not" and refused):
                 found.setdefault(start, replace(chunk, start=named, end=end))
-    alone = [c for c in said.missed if c.kind != "rel" and not any(f.start <= c.start < f.end for f in found.values())]
+    alone = [c for c in said.missed if not any(f.start <= c.start < f.end for f in found.values())]
     return [*alone, *found.values()]
 
 

@@ -18,10 +18,6 @@ from robolayout.scene import Scene
 from robolayout.words._function_words import ALIKE, BEFORE_NOUNS, JOINED
 from robolayout.words.rooms import RoomTypes
 
-_KIN = "crib bed, cot bed, cradle bed, loveseat sofa, couch sofa, settee sofa, recliner armchair, chandelier lamp, mattress bed"
-KIN = {thing: other for thing, other in (pair.split() for pair in _KIN.split(", "))}
-"""Things that stand for another that they are not named after."""
-
 LONGEST = 8
 """Most words of a phrase."""
 

@@ -14,16 +14,9 @@ from robolayout.words import _function_words as small
 from robolayout.words._chunk import ROWS, SOME, Chunk
 from robolayout.words._leftover import leftover
 from robolayout.words._lexicon import grammar
-from robolayout.words._relations import AIDS, Relating
+from robolayout.words._relations import Relating
 from robolayout.words._said import Link, Mention, NamedThing, Parsed, Place, mentions, place_in, place_of, sides
 from robolayout.words._tokens import count_of
-from robolayout.words._ways import SEATS, SHAPES, SLEPT_ON, TOPS
-
-SAID_OF = {
-    "stacked": "stacked", "piled": "stacked", "diagonal": "diagonal", "angled": "diagonal", "walled": "wall",
-    "wallmounted": "on", "wallhung": "on", "ceilingmounted": "hanging", **{name: name for name in SHAPES},
-}  # fmt: skip
-"""Relations that stand before a noun."""
 
 
 class Parser(Relating):
@@ -77,16 +70,18 @@ class Parser(Relating):
 
     def _on_filler(self, chunk: Chunk) -> None:
         following = self._ahead()
-        tops = chunk.value == "of" and bool(self.group) and self.group[-1].thing.head in TOPS  # "six tables of four"
+        tops = chunk.value == "of" and any(m.thing.head in small.TOPS for m in self.group[-1:])  # "six tables of four"
         if (chunk.value == "for" or tops) and following.kind == "filler" and (count_of(following.value) or 0) > 1:
-            self._for_people(Chunk("people", chunk.start, following.end, number=count_of(following.value)))
+            count = count_of(following.value) or 0  # "a table for six"
+            kind = "seats" if self._promised(count, -2) else "users"
+            self.said.facts.append(Chunk(kind, chunk.start, following.end, number=count))
         if chunk.value == "all" and self._ahead().kind == "style" and self.recent:
             self.subject, self.verb = list(self.recent), True  # "a sofa and two chairs, all grey"
         if chunk.value == "all" and self._ahead().kind == "rel" and self.recent:  # "two chairs, all on a rug"
             self._these([m for m in self.recent if not m.topped])
             self.acted, self.holder = self.group, []
-        last = self.said.links[-1] if self.said.links else None
-        if chunk.value == "too" and last is not None and self.group and not self.acted and last.start < self.began:
+        last = self.said.last
+        if chunk.value == "too" and last.relation and self.group and not self.acted and last.start < self.began:
             self.said.links.append(replace(last, subjects=tuple(self.group)))  # "a sofa by the window. A desk, too"
         share, index = count_of(chunk.value), self.at  # "one of them is against the wall"
         while (led := self._ahead(index - self.at)).kind in ("verb", "pron") or led.value == "of":
@@ -114,11 +109,6 @@ class Parser(Relating):
             self._fact(chunk)
         else:
             self.said.missed.append(chunk)
-
-    def _for_people(self, chunk: Chunk) -> None:
-        """Note for how many the thing before is, or the room: "a table for six"."""
-        seats = self._promised(chunk.number or 0, -2)
-        self.said.facts.append(replace(chunk, kind="seats" if seats else "users"))
 
     def _deal(self, share: int, index: int) -> None:
         """Let so many of the things named last be what the relation there is about: "two at one wall and two at the other"."""
@@ -235,13 +225,8 @@ class Parser(Relating):
             return
         joined = self._joined()
         if self.having and self.holder and self._put_on(mention, self.holder[0], joined=joined):
-            # "a bed with two night stands and lamps"
-            borne = (
-                joined
-                and mention.topped
-                and self.holder[0].thing.head in SLEPT_ON
-                and self.group[-1].thing.head == "stand"
-            )
+            on_a_stand = mention.topped and self.group[-1].thing.head == "stand"  # "a bed with night stands and lamps"
+            borne = joined and on_a_stand and self.holder[0].thing.head in small.SLEPT_ON
             bearers = self.group[-1:] if borne else self.holder
             self.said.links.append(Link("with", (mention,), tuple(bearers), chunk.start, chunk.end))
         elif joined and not _accessory(mention):
@@ -271,12 +256,12 @@ class Parser(Relating):
             count = -chunk.rows if order == "groups" else max(chunk.rows, 0)
             self.said.links.append(Link(order, (mention,), (), chunk.start, chunk.end, rows=count))
         noun = chunk.noun.said.split() if chunk.noun is not None else []
-        for word in set(SAID_OF) & {*chunk.adjectives, *noun}:
+        for word in (word for word in small.SAID_OF if word in (*chunk.adjectives, *noun)):
             to = next(((Place(name),) for name in ("wall", "ceiling") if word.startswith(name)), ())
-            self.said.links.append(Link(SAID_OF[word], (mention,), to, chunk.start, chunk.end))
-        last = self.said.links[-1] if self.said.links else None
+            self.said.links.append(Link(small.SAID_OF[word], (mention,), to, chunk.start, chunk.end))
+        last = self.said.last
         bare = self._previous(chunk) == "and" and not chunk.det  # "a stacked washer and dryer"
-        if bare and last is not None and last.relation == "stacked" and [m.count for m in last.subjects] == [1]:
+        if bare and last.relation == "stacked" and [m.count for m in last.subjects] == [1]:
             self.said.links[-1] = replace(last, subjects=(*last.subjects, mention))
         if self._previous(chunk) in small.ALIKE and self.said.links:  # "a sofa is by the window, and so is a desk"
             self.said.links.append(replace(self.said.links[-1], subjects=(mention,)))
@@ -292,19 +277,19 @@ class Parser(Relating):
 
     def _no_thing(self, chunk: Chunk) -> bool:
         """Return whether a noun names what is not to be there, what somebody moves with, or what a thing is for."""
+        assert chunk.noun is not None
         noun, before = chunk.noun, self._previous(chunk)
-        several = chunk.plural or (noun is not None and noun.words.endswith("s"))
-        strange = noun is not None and noun.kind.startswith("unknown")
+        several, strange = chunk.plural or noun.words.endswith("s"), noun.kind.startswith("unknown")
         alone = not chunk.det and chunk.number is None
         held = self.group[-1:] if alone and self._ahead(-3).kind == "thing" else []
-        alike = bool(held) and noun is not None and noun.kind == held[0].thing.noun.kind
-        if noun is not None and self.refusing and not (self.negated and chunk.det == "the"):
+        alike = bool(held) and noun.kind == held[0].thing.noun.kind
+        if self.refusing and not (self.negated and chunk.det == "the"):
             self.said.refused.append((noun, (chunk.start, chunk.end)))
-        elif noun is not None and noun.kind in AIDS and (before in small.USING or self._ahead().value in small.ABLE):
-            self._fact(Chunk("body", chunk.start, chunk.end, AIDS[noun.kind]))
+        elif noun.kind in small.AIDS and (before in small.USING or self._ahead().value in small.ABLE):
+            self._fact(Chunk("body", chunk.start, chunk.end, small.AIDS[noun.kind]))
         elif alike and (before == "of" or self._ahead(-2).kind == "with"):
             self._fact(replace(chunk, kind="function"))  # "a bottle of detergent", "a vase with flowers"
-        elif held and noun is not None and before == "of" and noun.kind.split()[-1] == held[0].thing.head:
+        elif held and before == "of" and noun.kind.split()[-1] == held[0].thing.head:
             held[0].thing.noun = noun  # "a box of tissues" is a tissue box
             self._understood(chunk)
         elif held and before == "of":  # "a rack of dumbbells"
@@ -441,4 +426,4 @@ class Parser(Relating):
 
 def _accessory(mention: Mention) -> bool:
     """Return whether a thing goes with another: a seat, or what can stand on a top."""
-    return mention.thing.head in SEATS or mention.thing.category.on_object
+    return mention.thing.head in small.SEATS or mention.thing.category.on_object

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import math
 import operator
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import combinations, product
 
 from robolayout.constraints import AssetRef, PointRef, WallRef
 from robolayout.constraints.corner import convex_corners
 from robolayout.scene import Asset, Opening, Room, Scene, Wall
+from robolayout.words import _function_words as small
 from robolayout.words import _ways as ways_of
 from robolayout.words._lexicon import grammar
 from robolayout.words._rows import alike, in_rows
@@ -19,9 +20,6 @@ from robolayout.words.demands import Demand, Way, single, stated
 
 COMPASS = {"north": (0.0, -1.0), "south": (0.0, 1.0), "east": (-1.0, 0.0), "west": (1.0, 0.0)}
 """Inward normals of walls by name, as on a plan: north is up."""
-
-ADJOINING = frozenset(("adjacent", "adjoining", "neighbouring", "neighboring", "perpendicular"))
-"""Words for walls that meet in a corner."""
 
 SAME = 0.05
 """Metres by which walls that count as equally long may differ."""
@@ -169,7 +167,7 @@ class AtPlaces:
     def _asset(self, name: str) -> Asset:
         return self.scene.by_name[name]
 
-    def _is(self, name: str, words: Sequence[str]) -> bool:
+    def _is(self, name: str, words: Iterable[str]) -> bool:
         asset = self._asset(name)
         return any(text.endswith(word) for text in (asset.category, asset.like) for word in words)
 
@@ -188,7 +186,7 @@ class AtPlaces:
 
     def _at_walls(self, subjects: Sequence[str], there: Sequence[str], place: Place, *, on: bool) -> Iterator[Way]:
         """Yield the ways in which things are at the wall where others are, or at the one across from it."""
-        meeting = not ADJOINING.isdisjoint(place.words)
+        meeting = not small.ADJOINING.isdisjoint(place.words)
         fits = operator.is_ if "same" in place.words else _meet if meeting else _across
         for one in self.room.walls:
             for two in self.room.walls:
@@ -201,7 +199,7 @@ class AtPlaces:
     ) -> Iterator[Demand]:
         """Yield that things stand at a place of the room; where several share it, each somewhat farther from its middle."""
         opposite = "opposite" in place.words or (place.det == "both" and not place.words)  # "benches along both walls"
-        together = "same" in place.words or (place.plural and (opposite or not ADJOINING.isdisjoint(place.words)))
+        together = "same" in place.words or (place.plural and (opposite or not small.ADJOINING.isdisjoint(place.words)))
         corners = corners_meant(self.room, place) if place.name == "corner" else []
         if place.name == "wall" and together and len(subjects) > 1 and "middle" not in place.words:
             half = (len(subjects) + 1) // 2  # at one wall, or one half at each of two
@@ -272,7 +270,7 @@ class AtPlaces:
             most = max(ways_of.LEAST_MIDDLE, ways_of.MIDDLE_SHARE * min(x1 - x0, y1 - y0)) * wider
             yield (stated("distance_constraint", ref, PointRef(*centre(self.room)), None, round(most, 2)),)
         elif place.name == "side":
-            boards = [one.name for one in self.scene.assets if self._is(one.name, ways_of.BOARDS)]
+            boards = [one.name for one in self.scene.assets if self._is(one.name, small.BOARDS)]
             if "front" in place.words and boards and not self._only_wall(a):  # where all look, not the wall of the door
                 yield from ((stated("in_front_of", ref, AssetRef(b), 0.0, ways_of.AT_THE_FRONT),) for b in boards)
                 return
@@ -346,11 +344,11 @@ class AtPlaces:
     def _ways_amidst(self, b: str, items: Sequence[str]) -> tuple[Way, ...]:
         """Return the ways in which something is between two that are deeper, at their wall, or hangs between two that stand."""
         shallow = self._asset(b).size[0] < min(self._asset(a).size[0] for a in items) / 2
-        shallow = shallow and self._is(b, (*ways_of.WATCHED, "console table")) and not self._only_wall(b)
+        shallow = shallow and self._is(b, (*small.WATCHED, "console table")) and not self._only_wall(b)
         if any(map(self._only_wall, items)) or not (shallow or self._only_wall(b)):
             return ()
         one, two, amid = (AssetRef(name) for name in (*items, b))
-        gap = ways_of.NEAR if self._is(items[0], ways_of.SEATS) else ways_of.BESIDE
+        gap = ways_of.NEAR if self._is(items[0], small.SEATS) else ways_of.BESIDE
         said = (stated("near", one, amid, gap), stated("near", two, amid, gap), stated("between", amid, one, two))
         if not shallow:
             return (said,)  # plants on both sides of a painting

@@ -10,10 +10,9 @@ from itertools import dropwhile
 from robolayout.words import _function_words as small
 from robolayout.words._chunk import NOTHING, ROWS, Chunk
 from robolayout.words._lexicon import grammar
-from robolayout.words._said import ONE_EACH, Item, Link, Mention, NamedThing, Place, mentions, named, place_in, places
+from robolayout.words._said import Item, Link, Mention, NamedThing, Place, mentions, named, place_in, places
 from robolayout.words._spoken import Spoken
 from robolayout.words._tokens import APART
-from robolayout.words._ways import OTHER_SIDE, SEATS, SLEPT_ON, WATCHED
 
 
 class References(Spoken):
@@ -40,7 +39,7 @@ class References(Spoken):
         if bare and not target and self._ahead().kind != "rel" and self._joined():
             before = self.group[-1].thing.number
             number = before if before and before > 1 else None
-        if number is None and chunk.plural and chunk.noun.kind in ONE_EACH and not self.said.things:
+        if number is None and chunk.plural and chunk.noun.kind in small.ONE_EACH and not self.said.things:
             number = self._people() or None  # "an office for four: desks ..."
         definite = chunk.det in ("the", "each", "all", "first", *small.SHARES)
         some = chunk.det == "one"  # "one of the two beds"
@@ -203,11 +202,10 @@ class References(Spoken):
 
     def _at_middle(self, chunk: Chunk, subjects: Sequence[Mention], objects: Sequence[Item]) -> Sequence[Item]:
         """Return the middle of a wall where "in the middle" was said right before: "a bed in the centre against the wall"."""
-        last, to = self.said.links[-1] if self.said.links else None, place_in(objects[:1], "wall")
-        if chunk.value != "wall" or last is None or to is None:
-            return objects
+        last, to = self.said.last, place_in(objects[:1], "wall")
         middle = [c.value for c in self.chunks if c.end == chunk.start] == ["middle"]
-        if not middle or last.subjects != tuple(subjects) or mentions(last.objects):
+        same = middle and last.relation and last.subjects == tuple(subjects) and not mentions(last.objects)
+        if chunk.value != "wall" or to is None or not same:
             return objects
         self.said.links.pop()
         self.said.read.update(range(last.start, last.end))
@@ -216,18 +214,13 @@ class References(Spoken):
     def _led_back(self, relation: str) -> Sequence[Item]:
         """Return what a relation leads to where nothing is named: "a loft bed with a desk underneath", "a bed on the left"."""
         if relation == "opposite":  # of a single seat, bed or desk: "a bed ..., a mirror on the wall opposite"
-            faced = self._last_of(("desk", "island", *SEATS, *SLEPT_ON, *WATCHED), named(self.about))
+            faced = self._last_of(("desk", "island", *small.SEATS, *small.SLEPT_ON, *small.WATCHED), named(self.about))
             faced = [m for m in faced if not m.several]
-            here = [k.subjects for k in self.said.links[-1:] if k.start >= self.began and k.relation != "with"]
+            here = [k.subjects for k in self._here[-1:] if k.relation != "with"]
             # "a washer and a dryer along a wall, an ironing board opposite"
             return faced or [m for each in here for m in each[:1] if m.thing not in named(self.about)]
-        last = self.said.links[-1] if self.said.links else None
-        if (
-            relation == "above"
-            and last is not None
-            and last.relation in ("abreast", "row")
-            and last.start >= self.began
-        ):
+        last = self.said.last
+        if relation == "above" and last.relation in ("abreast", "row") and last.start >= self.began:
             return [m for m in last.subjects if m.thing not in named(self.about)]  # "side by side, shelves above"
         if self.holder or relation not in ("left", "right"):
             return self.holder or self._meant("it", relation)
@@ -235,7 +228,7 @@ class References(Spoken):
         alone = named(self.recent) <= named(self.about)
         if not (side == relation and of) and alone and len(self.before) == 1 and not self.before[0].several:
             of = self.before  # "A sofa is in the middle. On the left stands a lamp."
-            self.contrast = (OTHER_SIDE[relation], of)
+            self.contrast = (small.OTHER_SIDE[relation], of)
         elif side != relation:
             of = []
         return of or [Place("side", (relation,))]
@@ -261,9 +254,7 @@ class References(Spoken):
 
     def _said_again(self, chunk: Chunk, subjects: Sequence[Mention], objects: Sequence[Item]) -> bool:
         """Return whether a relation says no more than the last one: "a plant flanks the door on each side", "back to back in pairs"."""
-        last = self.said.links[-1] if self.said.links else None
-        if last is None:
-            return False
+        last = self.said.last
         if {last.relation, chunk.value} == {"backs", "pairs"} and named(last.subjects) == named(subjects):
             self.said.links[-1] = replace(last, relation="backs")
             return True
@@ -290,7 +281,7 @@ class References(Spoken):
         walls = next((self._number_of(to) for to in lined if to.det == "all"), walls)
         for thing in (mention.thing for mention in subjects):
             if walls and thing.plural and thing.number is None:
-                at_each = 2 if several or chunk.value == "wall" or thing.head in SEATS else 1
+                at_each = 2 if several or chunk.value == "wall" or thing.head in small.SEATS else 1
                 thing.number = walls * at_each  # "bookshelves line two walls"
         for mention in subjects if chunk.value == "rows" else ():
             mention.thing.rows = mention.thing.rows or chunk.rows  # "clothing racks in three rows"

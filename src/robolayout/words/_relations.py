@@ -13,17 +13,7 @@ from robolayout.words._about import About
 from robolayout.words._chunk import NOTHING, Chunk
 from robolayout.words._said import Item, Link, Mention, Place, mentions, named, place_in, place_of
 from robolayout.words._tokens import Measure
-from robolayout.words._ways import MIDDLE_AISLE, SEATS, TOPS
-
-REVERSED = {"flanked": "flank", "surrounded": "around", "holds": "on", "separated": "amid"}
-"""Relations that are said from the other side."""
-
-_OPENING = {"above": "under", "behind": "near", "next": "near", "near": "near", "by": "near"}
-AT_A_PLACE = {"window": _OPENING, "door": _OPENING, "wall": {"holds": "wall"}}
-"""What things are to a door, window or wall of which it is said what it is to them."""
-
-AIDS = {"wheelchair": "wheelchair", "walker": "elder_walker"}
-"""Bodies by what they use; what a room is to contain is a thing."""
+from robolayout.words._ways import MIDDLE_AISLE
 
 KEPT_OFF = 0.6
 """Metres between a thing and what it must not be near."""
@@ -78,16 +68,13 @@ class Relating(About):
         self.every = (holder, times)
         first, had = len(self.said.things), 0
         while (chunk := self._ahead()).kind in ("thing", "and", "comma", "filler", "style", "with"):
-            inner = (
-                self.group[-1:] if chunk.kind == "with" and had else []
-            )  # "each has a desk with a lamp, and a chair"
+            # "each has a desk with a lamp, and a chair"
+            inner = self.group[-1:] if chunk.kind == "with" and had else []
             if chunk.kind == "with" and (not inner or self._ahead(1).kind != "thing"):
                 break
             self.at += chunk.kind == "with"
             chunk = self._ahead()
             if chunk.kind == "comma" and first < len(self.said.things) and not self._list_goes_on(had):
-                break
-            if chunk.kind == "and" and self._ahead(1).kind not in ("thing", ""):
                 break
             self.at, had = self.at + 1, had + (chunk.kind == "thing")
             own = holder and chunk.noun is not None and chunk.noun.kind == holder[0].thing.noun.kind
@@ -170,7 +157,7 @@ class Relating(About):
 
     def _along_an_aisle(self, chunk: Chunk) -> bool:
         """Note what an aisle parts: two rows, or two columns of benches: "five pews on each side of an aisle" are ten."""
-        rows = [link for link in self.said.links if link.relation == "rows" and link.start >= self.began]
+        rows = [link for link in self._here if link.relation == "rows"]
         if rows and chunk.value in ("amid", "middle") and self._ahead(-2).value == "aisle":
             aisle, _ = self._ahead(-2), self._objects(chunk)  # "two rows with an aisle between them"
             self._parted(rows[-1], aisle, (aisle.start, self._ahead(-1).end), MIDDLE_AISLE)
@@ -196,7 +183,7 @@ class Relating(About):
         while first > 0 and self.chunks[first].kind in ("verb", "filler", "style"):
             first -= 1
         place, led = self.chunks[first], first > 0 and self.chunks[first - 1].kind == "rel"
-        at = AT_A_PLACE.get(place.value, {}).get(chunk.value)
+        at = small.AT_A_PLACE.get(place.value, {}).get(chunk.value)
         if at is None or led or place.kind == "rel" or self._ahead().kind != "thing":
             return False
         self._understood(place)
@@ -210,7 +197,7 @@ class Relating(About):
         """Settle what a relation is about and leads to, and note what it says."""
         bare = chunk.value == "on" and not objects and self._ahead().kind in ("and", "comma", "stop", "")
         if chunk.value == "ontop" or bare:  # "a desk with a lamp on"
-            on = [k.objects[:1] for k in self.said.links if k.relation == "on" and k.start >= self.began]
+            on = [k.objects[:1] for k in self._here if k.relation == "on"]
             held = self.holder or [m for m in self.subject if m not in subjects] or list(on[-1] if on else self.subject)
             chunk, objects = replace(chunk, value="on"), objects or list(held)
         chunk, objects = self._other_side(chunk, objects)
@@ -219,22 +206,20 @@ class Relating(About):
             chunk = replace(chunk, value="around" if all(one.sat_on for one in subjects) else "next")
         place = place_in(objects[:1])
         sides = place.name == "side" if place else chunk.value in ("flank", "oneside") and not objects
-        last = self.said.links[-1] if self.said.links else None
+        last = self.said.last
         if self._said_again(chunk, subjects, objects) or (sides and self._at_sides(chunk, subjects, place)):
             self._understood(chunk)
             return
         backs = chunk.value == "wall" and {"back", "backs"} & {*chunk.adjectives} and not place_in(objects[:1], "wall")
         if chunk.value == "separates" or backs:  # "with its back to the window"
             chunk = replace(chunk, value="turnedfrom" if backs else "amid")
-        if "across" in chunk.adjectives and last is not None and (last.relation, last.end) == ("mutual", chunk.start):
+        if "across" in chunk.adjectives and (last.relation, last.end) == ("mutual", chunk.start):
             chunk = replace(chunk, value="amid")  # "two sofas facing each other across a table"
             subjects, objects = mentions(objects), list(last.subjects)
             self._one_for_each_pair(subjects, last.subjects[0].thing.count // 2)
         if chunk.value == "between":  # "1 m between the bed and the wardrobe"
             chunk, subjects = replace(chunk, value="apart"), mentions(objects)[:1]
             objects = [item for item in objects if item not in subjects]
-        if not objects and not subjects and chunk.value in ("left", "right") and self.fronted is not None:
-            objects = list(self.fronted[1])  # "beside the sofa, on the right, a lamp"
         if not objects and (top := self._on_what(chunk, subjects)):
             half = (f"{chunk.value} half", tuple(subjects), tuple(top), chunk.start, chunk.end)
             self.said.links += [Link(*half)] * (chunk.value != "middle")
@@ -247,17 +232,18 @@ class Relating(About):
 
     def _on_what(self, chunk: Chunk, subjects: Sequence[Mention]) -> list[Item]:
         """Return the top whose left, right or middle is meant: "a desk with a lamp on the left and a computer in the middle"."""
-        here = [link for link in self.said.links if link.start >= self.began]
+        here = self._here
         halved = any(link.relation.endswith(" half") for link in here)
         before = here[-1].objects if here and here[-1].relation == "on" else ()
-        top = [m for m in (self.holder if self.having else mentions(before)) if m.thing.head in TOPS]
+        top = [m for m in (self.holder if self.having else mentions(before)) if m.thing.head in small.TOPS]
         sided = chunk.value in ("left", "right") or (chunk.value == "middle" and halved)
         return [*top] if sided and subjects and all(m.thing.category.on_object for m in subjects) else []
 
     def _as_many(self, chunk: Chunk, subjects: Sequence[Mention], objects: Sequence[Item], *, every: bool) -> None:
         """Count what each of some things has: "each facing a mirror", "four chairs facing mirrors"."""
         for item in mentions(objects) if subjects else ():
-            thing, told = item.thing, chunk.value in REVERSED and item.det != "the"  # "each surrounded by six chairs"
+            thing = item.thing
+            told = chunk.value in small.REVERSED and item.det != "the"  # "each surrounded by six chairs"
             if every and (item.det == "a" or told or "own" in thing.adjectives) and thing.times == 1:
                 thing.times = subjects[0].thing.count
             bare = thing.head == "mirror" and thing.number is None and thing.plural
@@ -289,7 +275,7 @@ class Relating(About):
         laid = laid and not its  # "a chair with a lamp behind it"
         hung = place and chunk.value in ("on", "hanging")  # "a sofa with the TV on the wall"
         low = held and not self.group[-1].topped and not self.holder[0].thing.category.on_floor
-        sat = held and self.group[-1].sat_on and self.holder[0].thing.head in TOPS
+        sat = held and self.group[-1].sat_on and self.holder[0].thing.head in small.TOPS
         sat = sat and (chunk.value != "opposite" or self.group[-1].thing.head not in small.LOUNGE)
         others = [m for m in mentions(objects) if m.thing.count > 1 and m.thing not in named(self.holder)]
         seated = sat and chunk.value in (*small.STANDING, "amid")
@@ -333,7 +319,7 @@ class Relating(About):
             self._understood(*[chunk] * (chunk.value in ("in", "by") and self._ahead().kind in small.OF_THE_ROOM))
         elif in_the_room or (chunk.value == "stacked" and [m.count for m in subjects] == [1]):
             self._understood(chunk)
-        elif chunk.value in REVERSED:
+        elif chunk.value in small.REVERSED:
             self._reversed(chunk, subjects, objects)
         elif not subjects and self.fronted is not None and not self.group and (led := mentions(self.fronted[1][:1])):
             self._link(chunk, led, objects)  # "on the desk in the corner stands a lamp"
@@ -380,19 +366,19 @@ class Relating(About):
         """Note the body of "a person in a wheelchair", "an elderly person with a walker", "accessible by wheelchair"."""
         following, who = self._ahead(), self._ahead(-2).kind
         moved = (how in ("in", "with") and who in ("people", "body")) or (how == "by" and not following.det)
-        if following.noun is None or following.noun.kind not in AIDS or not moved:
+        if following.noun is None or following.noun.kind not in small.AIDS or not moved:
             return False
         self._understood(self._ahead(-1))
         self.at += 1
-        self._fact(Chunk("body", following.start, following.end, AIDS[following.noun.kind]))
+        self._fact(Chunk("body", following.start, following.end, small.AIDS[following.noun.kind]))
         return True
 
     def _holders(self, subjects: list[Mention], *, every: bool) -> list[Mention]:
         """Return what of some things holds others: of "a bed and two stands, each" the last, and rather a top than a seat beside it."""
-        last = self.said.links[-1] if self.said.links else None
-        if last is not None and len(subjects) == 1 and subjects[0] in last.objects:
-            kinds = [mention.thing.head for mention in (*last.subjects, *subjects)]
-            subjects = list(last.subjects) if kinds[0] in (*TOPS, "stand", "shelf") and kinds[-1] in SEATS else subjects
+        last = self.said.last
+        if len(subjects) == 1 and subjects[0] in last.objects:
+            bears = any(mention.thing.head in (*small.TOPS, "stand", "shelf") for mention in last.subjects[:1])
+            subjects = list(last.subjects) if bears and subjects[-1].sat_on else subjects
         own = subjects[-1:] if every and subjects and subjects[-1].thing.count > 1 else subjects
         return [Mention(mention.thing, mention.pick, "each") for mention in own] if every else subjects
 
@@ -427,10 +413,9 @@ class Relating(About):
             moved.append(self._mention(self._ahead(-1)))
         if chunk.value == "flanked" and self._ahead().value in ("left", "right"):
             self.holder, self.group, self.verb = subjects[:1], moved, False  # "flanked by a lamp on the left and ..."
-            self.acted = []
             self._understood(chunk)
         elif moved and subjects:
-            named = Chunk("rel", chunk.start, chunk.end, REVERSED[chunk.value])
+            named = Chunk("rel", chunk.start, chunk.end, small.REVERSED[chunk.value])
             each = chunk.value == "holds" and subjects[0].det == "each"  # "each holding a lamp and a clock"
             for together in [[mention] for mention in moved] if each else [moved]:
                 self._link(named, together, list(subjects))

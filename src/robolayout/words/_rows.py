@@ -10,8 +10,9 @@ from robolayout.constraints import AssetRef, PointRef, WallRef
 from robolayout.constraints.in_rows import InRows
 from robolayout.constraints.in_shape import InShape
 from robolayout.scene import Room, Scene
+from robolayout.words import _function_words as small
 from robolayout.words._said import Link
-from robolayout.words._ways import ACROSS, AISLE, AT_SIDES, BACK, BESIDE, NEAR, SHAPES, looks_over
+from robolayout.words._ways import ACROSS, AISLE, BACK, BESIDE, NEAR, looks_over
 from robolayout.words.demands import Demand, single, stated
 
 End = AssetRef | PointRef
@@ -49,7 +50,7 @@ class ToldRows:
         self.flanked = {
             name
             for link, about, to in links
-            if link.relation in ("amid", "flank") or (link.relation in AT_SIDES and len(about) > 1)
+            if link.relation in ("amid", "flank") or (link.relation in small.AT_SIDES and len(about) > 1)
             for name in to
         }
         # over the backs of desks look those who sit at them
@@ -74,10 +75,10 @@ class ToldRows:
         self.gap = {name: link.metres[0] for link, named, _ in told for name in named}
         self.count = {name: lines(scene, link, named) for link, named, _ in told for name in named}
         self.abreast = {name: math.ceil(len(named) / (self.count[name] or 1)) for _, named, _ in told for name in named}
-        formed = ((link.relation, named) for link, named, _ in links if link.relation in SHAPES)
+        formed = ((link.relation, named) for link, named, _ in links if link.relation in small.SHAPES)
         self.shape = {
             name: InShape(
-                tuple(map(AssetRef, named)), SHAPES[relation], "out" if looks_over(scene.by_name[name]) else "in"
+                tuple(map(AssetRef, named)), small.SHAPES[relation], "out" if looks_over(scene.by_name[name]) else "in"
             )
             for relation, named in formed
             if len(named) > 2 and alike(scene, named)

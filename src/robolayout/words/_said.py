@@ -8,26 +8,17 @@ from dataclasses import dataclass, field, replace
 from robolayout.assets import Category
 from robolayout.assets.palette import COLORS, LOOKS
 from robolayout.scene import FLAT_HEIGHT
+from robolayout.words import _function_words as small
 from robolayout.words._chunk import Chunk
-from robolayout.words._function_words import COMPASS
+from robolayout.words._function_words import COMPASS, IN_PAIRS
 from robolayout.words._lexicon import Noun, grammar
 from robolayout.words._tokens import Measure
-from robolayout.words._ways import SEATS
-
-ONE_EACH = ("chair", "desk")
-"""Things of which everyone has one, where several are named without a number."""
-
-OWN = (*ONE_EACH, "seat", "stool", "armchair", "recliner", "bed", "crib", "mat", "locker")
-"""Things of which everyone has one, where several are named for so many people."""
 
 LONG = 3
 """Things of a row of which no number is said."""
 
 SEATED = 6
 """Seats of each of more rows than that of which no number is said."""
-
-IN_PAIRS = frozenset(("curtain", "blinds", "parallel bar", "drum set"))
-"""What is one thing in the plural."""
 
 
 @dataclass(eq=False)
@@ -80,7 +71,7 @@ class NamedThing:
     def count(self) -> int:
         """How many are asked for: as said, else two for a plural, so many for each row that is told, else one; so many times over."""
         row = SEATED if self.rows > LONG and self.head in ("chair", "seat") else LONG
-        alone = {self.noun.kind, self.noun.said} & IN_PAIRS
+        alone = {self.noun.kind, self.noun.said} & {*IN_PAIRS}
         usual = max(2, row * self.rows) if self.plural and not alone else 1
         one = usual if self.number is None else self.number + (self.bound == "more")
         return one * self.times
@@ -144,7 +135,7 @@ class Mention:
     @property
     def sat_on(self) -> bool:
         """Whether one sits on it."""
-        return self.thing.head in SEATS
+        return self.thing.head in small.SEATS
 
     @property
     def at_a_table(self) -> bool:
@@ -187,13 +178,8 @@ class Place:
     @property
     def at_one_wall(self) -> bool:
         """Whether all of several things are at one wall, whichever it is: "one wall", "the long wall"."""
-        told = (
-            bool({*self.words} - {"middle"})
-            and len(self.apart) == 1
-            and self.det in ("a", "the", "one")
-            and not self.plural
-        )
-        return self.name == "wall" and (self.number == 1 or told)
+        one = len(self.apart) == 1 and self.det in ("a", "the", "one") and not self.plural
+        return self.name == "wall" and (self.number == 1 or (one and not {*self.words} <= {"middle"}))
 
 
 Item = Mention | Place
@@ -233,6 +219,11 @@ class Parsed:
     missed: list[Chunk] = field(default_factory=list[Chunk])  # chunks that nothing is made of
     read: set[int] = field(default_factory=set[int])  # further tokens that are understood
     people: int = 0  # people that the room is for, where a bare number says it ("for ten"); 0 if none does
+
+    @property
+    def last(self) -> Link:
+        """The relation that was noted last; one that says nothing where there is none."""
+        return self.links[-1] if self.links else Link("", (), (), -1, -1)
 
     def implied(self, kind: str, count: int, area: Chunk) -> NamedThing:
         """Add and return what belongs to a part of the room."""

@@ -2,21 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 
 from robolayout.words import _function_words as small
 from robolayout.words._chunk import NOTHING, Chunk
 from robolayout.words._lexicon import grammar
 from robolayout.words._said import Item, Link, Mention, NamedThing, Parsed, Place, mentions, named, place_in, place_of
-from robolayout.words._ways import OTHER_SIDE, SEATS, SLEPT_ON, TOPS
-
-AXES = {
-    **dict.fromkeys(("left", "right"), "across"),
-    **dict.fromkeys(("front", "behind", "foot"), "along"),
-    **dict.fromkeys(("above", "under"), "up"),
-}
-"""Lines through a thing by the relations that say on which side of it another one stands."""
 
 
 @dataclass(eq=False)
@@ -153,10 +145,14 @@ class Spoken:
     def _is_zone(self, chunk: Chunk) -> bool:
         """Return whether a side is a part of the room by what one does there: "the living part is on the left"."""
         if [c.kind for c in self.chunks[self.at : self.at + 2]] in (["filler", "room"], ["filler", "part"]):
-            self._understood(*self.chunks[self.at : self.at + 2])
             self.at += 2  # "the front half of the room"
         told = chunk.det in ("the", "a") and len(chunk.adjectives) == 1 and not {*chunk.adjectives} & {*grammar().sizes}
         return bool(told) and not self.group and self._ahead().kind in ("verb", "rel", "with")
+
+    @property
+    def _here(self) -> list[Link]:
+        """The relations of this sentence."""
+        return [link for link in self.said.links if link.start >= self.began]
 
     def _ahead(self, more: int = 0) -> Chunk:
         """Return the chunk that follows, or one so many further on; before the one that is read is -2."""
@@ -174,7 +170,7 @@ class Spoken:
 
     def _sat_at(self) -> bool:
         """Return whether one sits on what was named last, or at it."""
-        return bool(self.group) and self.group[-1].thing.head in (*TOPS, *SEATS, "island")
+        return bool(self.group) and self.group[-1].thing.head in (*small.TOPS, *small.SEATS, "island")
 
     def _promised(self, people: int, back: int) -> bool:
         """Note for how many the thing named last is, or the room ("two armchairs, and seating for six"); return whether they sit there."""
@@ -186,10 +182,6 @@ class Spoken:
         self.said.people = people
         return seating in small.SEATED
 
-    def _skip(self) -> None:
-        while self._ahead().kind in ("filler", "style"):
-            self.at += 1
-
     def _meant(self, word: str, relation: str = "") -> list[Mention]:
         """Return what a pronoun stands for.
 
@@ -199,12 +191,10 @@ class Spoken:
         own = named(self.about)
         bearers = [named(k.objects) for k in self.said.links if k.relation == "on" and own & named(k.subjects)]
         own = own.union(*bearers)  # "a camera on a tripod before it"
-        if relation == "foot" and (bed := self._last_of(SLEPT_ON, own)):
+        if relation == "foot" and (bed := self._last_of(small.SLEPT_ON, own)):
             return bed  # "a wardrobe opposite the beds and a rug at their feet"
         if word.startswith("the row"):
-            rows = next((list(k.subjects) for k in reversed(self.said.links) if k.relation in small.ORDERS), [])
-            others = [m for m in self.recent if m.several and m.thing not in own | named(rows)]
-            return [*rows, *others[:1]] if word == "the rows" and len(rows) == 1 and rows[0].thing.rows < 2 else rows
+            return next((list(k.subjects) for k in reversed(self.said.links) if k.relation in small.ORDERS), [])
         holder = self.holder[0] if self.holder else None
         earlier, to = ([m for m in given if m.thing not in own] for given in (self.recent, self.targets))
         many = holder is not None and holder.several and holder.det != "each"
@@ -223,7 +213,7 @@ class Spoken:
         """Return which of some things are at a place of the room: no tables with seats around them, and both that share a wall."""
         if chunk.value == "wall":  # "two tables for eight and shelves along the walls"
             free = place.plural and subjects[-1].thing.head != "table"
-            seated = [m for m in subjects if m.thing.head in TOPS and m.thing.promising]
+            seated = [m for m in subjects if m.thing.head in small.TOPS and m.thing.promising]
             off = [m for m in subjects if m.thing.head == "table"] if free else seated
             subjects = [m for m in subjects if m not in off] or subjects
         if chunk.value == "on" and place.name == "wall":  # "a rack, magazines and a TV on the wall"
@@ -244,28 +234,27 @@ class Spoken:
         long = bool({"long", "short"} & {grammar().walls.get(word) for word in chunk.adjectives})
         free = self._ahead(-3).value in small.FREE  # "the saw free on all sides"
         several = ((chunk.number or 0) > 1 or chunk.det == "all") and not free
-        last = self.said.links[-1] if self.said.links else None
         # "the bed against a wall and a desk on the opposite side"
-        across = {"opposite", "opposing", "other"} & {*chunk.adjectives} and last and place_in(last.objects, "wall")
-        sided = any(thing.head in (*TOPS, "bed", "island") for thing in self.said.things)
+        across = {"opposite", "opposing", "other"} & {*chunk.adjectives} and place_in(self.said.last.objects, "wall")
+        sided = any(thing.head in (*small.TOPS, "bed", "island") for thing in self.said.things)
         own = any(m.sat_on for m in self.about) if long else sided
         wall = across or ((long or several) and (not own or self._ahead(-1).kind == "room"))
         return replace(place_of(chunk), name="wall") if chunk.value == "side" and wall else place_of(chunk)
 
     def _listed_with(self, relation: str, subjects: list[Mention], objects: Sequence[Item]) -> list[Mention]:
         """Return what is at one side of what has it: "a sofa with a rug and a table in front of it"; chairs are around theirs."""
-        last = self.said.links[-1] if self.said.links else None
+        last = self.said.last
         its = self.having and self._ahead(-1).kind == "pron" and named(objects) == named(self.holder)
-        if not its or last is None or last.relation != "with" or named(last.objects) != named(self.holder):
+        if not its or last.relation != "with" or named(last.objects) != named(self.holder):
             return subjects
-        beside, bears = relation in ("next", "left", "right"), self.holder[0].thing.head in TOPS
+        beside, bears = relation in ("next", "left", "right"), self.holder[0].thing.head in small.TOPS
         also = [m for m in last.subjects if m.thing.count == 1 and m.thing not in named(subjects)]
         also = [m for m in also if any(kind.on_floor for kind in m.thing.noun.categories)]
         also = [m for m in also if not (bears and any(kind.on_object for kind in m.thing.noun.categories))]  # lamps
         also = [m for m in also if beside or m.flat]
         return [*also, *subjects] if beside or relation in ("front", "foot") else subjects
 
-    def _last_of(self, heads: Sequence[str], own: set[NamedThing]) -> list[Mention]:
+    def _last_of(self, heads: Collection[str], own: set[NamedThing]) -> list[Mention]:
         """Return what was named last of things with some last words, `own` aside; nothing where there is none."""
         return [Mention(thing) for thing in self.said.things if thing.head in heads and thing not in own][-1:]
 
@@ -277,7 +266,8 @@ class Spoken:
         again = [c.kind for c in self.chunks[max(self.at - 5, 0) : self.at]] == ["pron", "and", "thing", "rel", "pron"]
         again = again and relation != "on"  # "an armchair, a lamp behind it and a table beside it"
         again = again or (self.by_it and not self.about)  # "Under it is a bin, and next to it a cabinet."
-        kept = self.kept if (again or self._keeps(relation)) and named(self.other) <= own else []
+        keeps = self.axis == small.AXES.get(relation) if self.axis else relation not in (*small.CLOSE, "")
+        kept = self.kept if (again or keeps) and named(self.other) <= own else []
         return [m for m in kept if m.thing not in own]
 
     def _last(self, word: str, relation: str, earlier: list[Mention], to: list[Mention]) -> list[Mention]:
@@ -316,10 +306,6 @@ class Spoken:
             before = next((both for both in standing if len(both) > 1), last[-2:] if len(last) > 1 else before)
         return earlier[-2:] or before
 
-    def _keeps(self, relation: str) -> bool:
-        """Return whether "it" still means here what it meant before."""
-        return self.axis == AXES.get(relation) if self.axis else relation not in (*small.CLOSE, "")
-
     def _keep(self, relation: str, objects: Sequence[Item], *, pronoun: bool, fronted: bool) -> None:
         """Note what a relation led to, so that a later "it" can mean the same."""
         if not objects:
@@ -327,8 +313,8 @@ class Spoken:
         self.told, self.by_it = self._ahead(-1).start, pronoun and fronted
         things = [item for item in mentions(objects) if item.thing.count == 1]
         if not pronoun:
-            self.contrast = (OTHER_SIDE[relation], things[:1]) if relation in OTHER_SIDE else ("", [])
-        if things and (pronoun or (fronted and relation in AXES)):
-            self.kept, self.axis, self.other = things[:1], "" if pronoun else AXES[relation], []
+            self.contrast = (small.OTHER_SIDE[relation], things[:1]) if relation in small.OTHER_SIDE else ("", [])
+        if things and (pronoun or (fronted and relation in small.AXES)):
+            self.kept, self.axis, self.other = things[:1], "" if pronoun else small.AXES[relation], []
         elif not pronoun:
             self.kept, self.other = [] if fronted or mentions(objects) else self.kept, list(self.about)

@@ -35,9 +35,6 @@ MIDDLE_AISLE = 1.2
 AISLE = 2.0
 """Metres between two rows between which something stands and can be got to."""
 
-BOARDS = ("whiteboard", "blackboard", "projection screen")
-"""Last words of what all look at who sit in rows: there is the front of their room."""
-
 AT_THE_FRONT = 3.5
 """Metres before a board that are the front of a room."""
 
@@ -76,21 +73,6 @@ LEAST_FAR, LEAST_MIDDLE = 1.5, 0.5
 CROWD = 5
 """Things of a kind that stand by themselves, whatever is named beside them, and look one way."""
 
-SEATS = ("chair", "stool", "armchair", "sofa", "bench", "recliner", "seat")
-"""Last words of what one sits on."""
-
-TOPS = ("desk", "table", "counter")
-"""Last words of what has a top at which one sits or stands."""
-
-COUNTERS = frozenset(("kitchen island", "bar counter"))
-"""Kinds at which one sits on high stools."""
-
-BEARING = (*TOPS, "sideboard", "dresser", "island")
-"""Last words of what bears what is said to flank it."""
-
-SLEPT_ON = ("bed", "crib", "cot")
-"""Last words of what one lies on; what such a thing has stands beside it."""
-
 _BY_RIGHT_ANGLE = ((("align_with", 90.0),), (("align_with", 270.0),))
 _PARALLEL = ((("align_with", 0.0),), (("align_with", 180.0),))
 
@@ -102,9 +84,6 @@ AT_A_DESK: Ways = ((("in_front_of", -BESIDE, BESIDE),), (("behind", -BESIDE, BES
 
 ACROSS_A_DESK: Ways = ((("behind", 0.0, BESIDE), ("align_with", 0.0)), (("behind", 0.0, AHEAD),))
 """Where a seat and another thing stand that are in front of a desk behind which somebody sits."""
-
-WATCHED = ("fireplace", "television", "screen")
-"""Last words of what one looks at who sits before it."""
 
 BEFORE_WATCHED: Ways = (
     (("in_front_of", 0.0, LOOKING), ("point_towards",)),
@@ -142,24 +121,8 @@ TO_ANOTHER: Mapping[str, Ways] = {
 AT_PLACES = frozenset((*TO_ANOTHER, "oneside", "on", "in", "flank", "under", "above", "behind", "hanging"))
 """Relations that lead to a place of the room as well as to things."""
 
-SHAPES = {"circle": "circle", "halfcircle": "half circle", "ushape": "u"}
-"""Shapes in which several things stand, by relation."""
-
 OFF_A_WALL = (0.3, math.inf)
 """Metres between things and a wall that stays free, least and most."""
-
-OTHER_SIDE = {
-    "left": "right",
-    "right": "left",
-    "front": "behind",
-    "behind": "front",
-    "oneside": "otherside",
-    "next": "otherside",
-}
-"""The relation of what is at the other side."""
-
-AT_SIDES = frozenset(("flank", "left", "right", "next", "oneside"))
-"""Relations that put a thing at a side of another one."""
 
 ABREAST: Ways = ((("next_to", "beside", AT_TABLE), ("align_with",)),)
 """Side by side, turned alike."""
@@ -175,9 +138,6 @@ IN_A_CHAIN: Mapping[str, Ways] = {
     "tiered": ((("above",),),),
 }
 """What each of several is asked to be to the one before it."""
-
-ENDS = {"front": "front", "behind": "back"}
-"""Halves of the room by relation to it: "at the back of the room"."""
 
 BY_TWOS: Mapping[str, Ways] = {
     "mutual": ((("facing_pair",),),),

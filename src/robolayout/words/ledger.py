@@ -19,8 +19,9 @@ from robolayout.scene import Asset, Layout, Scene
 from robolayout.words import _judged as as_row
 from robolayout.words._chunk import Chunk
 from robolayout.words._demander import Demander
+from robolayout.words._function_words import KIN
 from robolayout.words._judged import Finding, Furnished, Unjudged, Verdict, met
-from robolayout.words._lexicon import KIN, Lexicon, grammar, plain
+from robolayout.words._lexicon import Lexicon, grammar, plain
 from robolayout.words._places import openings, walls_meant
 from robolayout.words._said import Link, NamedThing, Place, mentions, named, place_in
 from robolayout.words._tokens import Measure
@@ -368,11 +369,8 @@ def _same_head(asset: Asset, thing: NamedThing) -> bool:
         return False
     if len(said) != 1:
         return thing.head == category[-1] and len(category) == 1
-    return category[-1] == said[0] or STANDING_FOR.get(category[-1]) == said[0]
+    return category[-1] == said[0] or {**KIN, "blackboard": "board"}.get(category[-1]) == said[0]
 
-
-STANDING_FOR = {**KIN, "blackboard": "board"}
-"""Categories by the last word under which they are meant, too."""
 
 TIERS = (_same_words, _same_kind, _same_head)
 """How assets are found to be what was named, the likeliest first."""

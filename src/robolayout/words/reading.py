@@ -10,30 +10,21 @@ from itertools import combinations, pairwise
 from robolayout._errors import SceneError
 from robolayout.assets import Category
 from robolayout.assets.palette import STYLED, WOODS
+from robolayout.words import _function_words as small
 from robolayout.words._appositions import described
 from robolayout.words._chunk import Chunk
-from robolayout.words._chunks import PLACING, Chunker
-from robolayout.words._function_words import AFTER_A_PLACE, BORN, LEAST_SAID, ROUND, SAID_AS, SHARING, SIBLINGS, YOUNG
+from robolayout.words._chunks import Chunker
 from robolayout.words._kinds import settle_kinds
 from robolayout.words._lexicon import Lexicon, grammar
 from robolayout.words._parse import Parser
-from robolayout.words._said import ONE_EACH, OWN, NamedThing, Parsed, place_in, places
+from robolayout.words._said import NamedThing, Parsed, place_in, places
 from robolayout.words._tokens import Measure, Size, Token, count_of, measures, tokens
 
 LONGEST = 4000
 """Characters of a text that are read."""
 
-BEFORE_A_PLACE = frozenset(("filler", "verb", "style", "measure", "comma", "colon", "pron", "other", "function"))
-"""Kinds of chunks that may stand before the place that a text begins with."""
-
-JOINING, OPEN = (
-    {"and", "with", "a", "an", ",", "&", "/"},
-    {"open", "opening", "opens", "to", "into", "onto", "that", "is", "which"},
-)
-"""What stands between the names of rooms that share one floor, or where one opens to the other."""
-
-BENCHES, ABREAST = ("pew", "bench", "sofa", "booth"), 0.6
-"""Last words of what several sit on, and metres of it that each is given (the judge counts a seat from less)."""
+ABREAST = 0.6
+"""Metres of a bench that each is given who sits on it (the judge counts a seat from less)."""
 
 MOST_OF_A_KIND = 200
 """Largest count that is furnished for."""
@@ -72,18 +63,18 @@ class Reading:
     def joined(self) -> list[str]:
         """Rooms that share the floor of the one that is named: "an open plan kitchen and living room", "with a dining area"."""
         rooms = [chunk for chunk in self.parsed.facts if chunk.kind == "room"]
-        first = [at for at, chunk in enumerate(rooms) if chunk is self.placed and chunk.value in SHARING][:1]
+        first = [at for at, chunk in enumerate(rooms) if chunk is self.placed and chunk.value in small.SHARING][:1]
         if not first:
             return []
         found, last = [f"{word} room" for word in rooms[first[0]].adjectives], rooms[first[0]]
         for chunk in rooms[first[0] + 1 :]:
             between = {word.text for word in self.words[last.end : chunk.start]}
-            opened = between <= OPEN and not between.isdisjoint(("open", "opening", "opens"))
+            opened = between <= small.OPENING and not between.isdisjoint(("open", "opening", "opens"))
             told = chunk.det == "the" and last is self.placed and "with" not in between
-            if not opened and (not between <= JOINING or told):
+            if not opened and (not between <= small.BETWEEN_ROOMS or told):
                 break
             found, last = [*found, chunk.value], chunk
-        return list(dict.fromkeys(name for name in found if name in SHARING and name != self.room))
+        return list(dict.fromkeys(name for name in found if name in small.SHARING and name != self.room))
 
     def measure(self, kind: str) -> tuple[float, ...] | None:
         """Return the values of the first measure of a kind, None if none is given."""
@@ -189,22 +180,20 @@ def read_text(text: str, lexicon: Lexicon) -> Reading:
     bodies = [chunk.value for chunk in parsed.facts if chunk.kind == "body"]
     for said in (room.adjectives for room in rooms):  # "a wheelchair user's bathroom", "a small barrier-free bathroom"
         runs = (" ".join(said[begin:end]) for begin, end in combinations(range(len(said) + 1), 2))
-        bodies += [
-            lexicon.bodies[who] for run in runs for who in (run, run.removesuffix("s")) if who in lexicon.bodies
-        ][:1]
-    bodies.sort(key=lambda body: LEAST_SAID.index(body) if body in LEAST_SAID else -1)
-    siblings = [c.number or 1 for c in parsed.facts if c.kind == "people" and c.value.removesuffix("s") in SIBLINGS]
-    people = [sum(siblings)] * (len(siblings) > 1)  # "for a boy and a girl"
-    people += [c.number for c in parsed.facts if c.kind in ("people", "body") and c.number]
-    people += [BORN[c.value] for c in parsed.facts if c.kind == "people" and c.value in BORN] + [parsed.people]
-    young = "child_6" in bodies or any(c.kind == "people" and c.value in YOUNG for c in parsed.facts)
-    young = young or len(siblings) > 1
+        names = (who for run in runs for who in (run, run.removesuffix("s")))
+        bodies += [lexicon.bodies[who] for who in names if who in lexicon.bodies][:1]
+    bodies.sort(key=lambda body: small.LEAST_SAID.index(body) if body in small.LEAST_SAID else -1)
+    people = [c for c in parsed.facts if c.kind == "people"]
+    siblings = [c.number or 1 for c in people if c.value.removesuffix("s") in small.SIBLINGS]
+    counts = [sum(siblings)] * (len(siblings) > 1)  # "for a boy and a girl"
+    counts += [c.number for c in parsed.facts if c.kind in ("people", "body") and c.number]
+    counts += [small.BORN[c.value] for c in people if c.value in small.BORN] + [parsed.people]
+    young = "child_6" in bodies or len(siblings) > 1 or any(c.value in small.YOUNG for c in people)
     settle_kinds(parsed)
-    number = bounded(people[0], "people")
-    number = _shared_out(parsed.things, number)
+    number = _shared_out(parsed.things, bounded(counts[0], "people"))
     seats = number or next((thing.people * thing.count for thing in parsed.things if thing.people), 0)
     for thing in parsed.things:
-        if seats and thing.plural and thing.number is None and thing.head in ONE_EACH:
+        if seats and thing.plural and thing.number is None and thing.head in small.ONE_EACH:
             thing.number = max(seats // thing.times, 1)  # "for ten people, with chairs"
         if thing.everyones:
             thing.times = max(number, 1)
@@ -225,11 +214,11 @@ def read_text(text: str, lexicon: Lexicon) -> Reading:
 
 def _shared_out(things: Sequence[NamedThing], number: int) -> int:
     """Settle how many there are of what is for so many people ("desks for twenty", "pews for sixty"); return for how many the room is."""
-    for thing in (one for one in things if one.people and one.head in (*OWN, *BENCHES)):
+    for thing in (one for one in things if one.people and one.head in (*small.OWN, *small.BENCHES)):
         uncounted, wide = thing.plural and thing.number is None, thing.category.size[1]
-        if thing.head in OWN and not uncounted:
+        if thing.head in small.OWN and not uncounted:
             continue
-        if thing.head in OWN:
+        if thing.head in small.OWN:
             thing.number = number = number or bounded(thing.people, "people")
         elif uncounted:
             thing.number = math.ceil(thing.people / max(int(wide / ABREAST), 1))
@@ -242,7 +231,7 @@ def _shared_out(things: Sequence[NamedThing], number: int) -> int:
 def _said_besides(words: list[Token]) -> list[Token]:
     """Return the words of a text with a sentence more for each name of an arrangement in it ("a galley kitchen"), in that place."""
     text = [word.text for word in words]
-    for phrase, said in SAID_AS.items():
+    for phrase, said in small.SAID_AS.items():
         size = len(named := phrase.split())
         known = {"table", "tables"} & {*text} and "table" in said  # "a kitchen-diner with a table for six"
         for at in (at for at in range(len(text) - size + 1) if text[at : at + size] == named and not known):
@@ -267,7 +256,7 @@ def _place_named(chunks: Sequence[Chunk], words: Sequence[Token]) -> tuple[int, 
     for i, chunk in enumerate(chunks):
         if chunk.kind == "other" and chunk.value in places:  # "Dental clinic: ..."
             return i, replace(chunk, kind="room", value=places[chunk.value])
-        if chunk.kind in BEFORE_A_PLACE and chunk.value not in PLACING:  # not "place a bar at the back"
+        if chunk.kind in small.BEFORE_A_PLACE and chunk.value not in small.PLACING:  # not "place a bar at the back"
             continue
         if chunk.kind not in ("thing", "part", "corner"):
             return None
@@ -283,7 +272,7 @@ def _place_named(chunks: Sequence[Chunk], words: Sequence[Token]) -> tuple[int, 
         unknown = chunk.noun is not None and chunk.noun.kind.startswith("unknown")
         last = next((place for place in places if unknown and last.endswith(place)), last)  # "a ballroom"
         unknown = unknown and follows in ("with", "colon")
-        wrong = other or listed or (chunk.number or 1) > 1 or follows not in AFTER_A_PLACE
+        wrong = other or listed or (chunk.number or 1) > 1 or follows not in small.AFTER_A_PLACE
         if wrong or not (last in places or unknown):
             return None
         later = [before.kind for before, c in pairwise(chunks[i:]) if c.kind == "room" and c.value != "room"]
@@ -315,7 +304,7 @@ def sized(kind: Category, adjectives: Sequence[str], measures: Sequence[Measure]
         depth, width, height = depth * d, width * w, height * h
     if kind.name.startswith("round ") or "square" in adjectives:
         depth = width = min(depth, width)
-    elif ROUND & {*adjectives}:
+    elif small.ROUND & {*adjectives}:
         depth = width = math.sqrt(depth * width)
     size = (round(depth, 3), round(width, 3), round(height, 3))
     for measure in measures:
