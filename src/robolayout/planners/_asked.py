@@ -82,7 +82,12 @@ def join_as_asked(cast: Mapping[str, Cast], demands: Sequence[Demand], passage: 
     chains = dict(_chains(cast, demands, passage))
     # what is around a table, or at both sides of a thing, comes after it
     tops = {anchor for anchor, join in chains.values() if join.slot in ("around", "beside")} - chains.keys()
-    joins = dict(one for demand in demands for one in _joins(demand, cast, passage))
+    told = {demand.names(): demand.gap.low for demand in demands if demand.gap is not None}
+    joins = {
+        name: (anchor, replace(join, gap=told.get(frozenset((name, anchor)), join.gap)))  # "1.8 m to the right of it"
+        for demand in demands
+        for name, (anchor, join) in _joins(demand, cast, passage)
+    }
     # two that face each other by the fireplace do not stand beside it with their backs in line
     faced = {one.asset_names()[1] for one in said(demands) if one.name == "facing_pair"}
     beside = {name for name in faced & joins.keys() if joins[name][1].slot == "beside"}
@@ -95,7 +100,7 @@ def join_as_asked(cast: Mapping[str, Cast], demands: Sequence[Demand], passage: 
         if not stays or any(relation.name == "mounted_on" for relation in said(about)):
             found[name] = found[name].alone
     seated = [wanted[name] for name in wanted if cast[name].role.name.endswith("seat")]
-    told = {anchor for anchor, join in seated if join.slot == "around"}
+    laid = {anchor for anchor, join in seated if join.slot == "around"}
     for a, b in (pair for relation in said(demands) if len(pair := relation.asset_names()) == 2):
         # what usually stands in a row that ends at what is asked to be placed by one of the row stands by itself
         last = next((one for one in chain(b, found) if found[one].anchor == a), "")
@@ -108,8 +113,8 @@ def join_as_asked(cast: Mapping[str, Cast], demands: Sequence[Demand], passage: 
         if name not in chain(anchor, found):
             found[name] = replace(found[name], anchor=anchor, join=join)
     for name in [name for name in found if name not in wanted]:
-        if found[name].join.slot == "around" and found[name].anchor in told:
-            found[name] = elsewhere(name, found, told)  # that table has its own seats
+        if found[name].join.slot == "around" and found[name].anchor in laid:
+            found[name] = elsewhere(name, found, laid)  # that table has its own seats
     return found | dict(_off_the_wall(found, demands))
 
 
@@ -238,7 +243,7 @@ def _beside(gap: float, say: tuple[str, ...]) -> Join:
 
 def _joins(demand: Demand, cast: Mapping[str, Cast], passage: float) -> Iterator[tuple[str, tuple[str, Join]]]:
     """Yield (name, (anchor, join)) for what a demand puts at another thing."""
-    for relation in demand.ways[0]:
+    for relation in demand.ways[0] if demand.gap is None else ():
         names = relation.asset_names()
         if len(names) != 2:
             continue
@@ -272,7 +277,9 @@ def _chains(
             continue
         held = a in subjects(other for other in demands if other is not demand)
         apart = [one.min_distance or 0.0 for one in distances if {*one.asset_names()} == {a, b}]
-        told = max(apart, default=0.0) - (cast[a].asset.size[0] + cast[b].asset.size[0]) / 2 + GAPS.seated
+        between_edges = max(apart, default=0.0) - (cast[a].asset.size[0] + cast[b].asset.size[0]) / 2
+        gaps = [demand.gap.low for demand in demands if demand.gap is not None and demand.names() == {a, b}]
+        told = max(between_edges, *gaps) + GAPS.seated if gaps else between_edges + GAPS.seated
         gap = max(GAPS.across, (top.asset.size[0] if top is not None else 0.0) + 2 * GAPS.before, told)
         yield a, (b, Join("front", (), gap=gap, loose=held, faces="anchor", say=usual_say("front")))
         if top is not None and top.join.slot == "beside":  # a side table, here between the two

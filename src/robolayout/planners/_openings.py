@@ -18,7 +18,7 @@ class Openings:
     """How doors and windows are made."""
 
     aside: float = 0.3
-    flanked: float = 1.2
+    flanked: float = 1.8
     """Metres between a door and the nearer end of its wall: usually, and where things are to stand on both sides of it."""
     large: tuple[float, float] = (2.2, 1.5)
     usual: tuple[float, float] = (1.8, 1.3)

@@ -91,7 +91,8 @@ class About(References):
         if word.value in small.SEVERAL:
             meant = [Mention(mention.thing, mention.pick) for mention in meant]
         self.pending = meant[1:]
-        if word.value.startswith(("each", "every", "both")) and meant:
+        shared = word.value.startswith("both") and chunk.value in ("front", "facing", "opposite", "amid")
+        if word.value.startswith(("each", "every", "both")) and meant and not shared:
             return Mention(meant[0].thing, None, "each")
         return meant[0] if meant else None
 

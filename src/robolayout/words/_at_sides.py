@@ -1,15 +1,16 @@
-"""What stands on one side of a thing: any side, the other one, all seats at one side of a table."""
+"""What stands on one side of a thing: any side, the other one, all seats at one side of a table, so many metres off it."""
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
-from robolayout.constraints import AssetRef, Relation
+from robolayout.constraints import AssetRef, PointRef, Relation, WallRef
 from robolayout.words import _function_words as small
 from robolayout.words import _ways as ways_of
 from robolayout.words._places import Asked, AtPlaces
 from robolayout.words._rows import ToldRows
-from robolayout.words.demands import Demand, by_ways, single, stated
+from robolayout.words.demands import Demand, EdgeGap, Way, by_ways, single, stated
 
 SIDES_OF_A_LOUNGE = ("behind", "left_of", "right_of", "in_front_of")
 """Sides of a low table at which sofas stand that are around it, in their order."""
@@ -99,3 +100,50 @@ class AtSides(AtPlaces):
             found.append(stated(side, AssetRef(a), AssetRef(b), low, high))
             found += [stated("align_with", AssetRef(a), AssetRef(b), ways_of.TOWARDS[side])] * sat_on
         return tuple(found)
+
+    def _gap(self, a: str, to: tuple[AssetRef | PointRef | WallRef, ...], low: float, high: float) -> Demand:
+        """Return that so many metres lie between a thing and the nearest of some others; a bed may have another wall at its head."""
+        ways = tuple(way for end in to for way in self._ways_apart(a, end, low, high, to))
+        return Demand(ways, gap=EdgeGap(AssetRef(a), to, low, high, nearest=not self._is(a, small.SLEPT_ON)))
+
+    def _ways_apart(
+        self,
+        a: str,
+        b: AssetRef | PointRef | WallRef,
+        low: float,
+        high: float,
+        to: Sequence[AssetRef | PointRef | WallRef],
+    ) -> Iterator[Way]:
+        """Yield the ways in which so many metres lie between edges: at each side of a thing, with each side to a wall."""
+        ref = AssetRef(a)
+        if isinstance(b, WallRef) and high < math.inf:
+            yield from self._ways_off_a_wall(ref, b, low, high, [w for w in to if isinstance(w, WallRef) and w != b])
+            return
+        if isinstance(b, AssetRef):
+            for side in ("left_of", "right_of", "in_front_of", "behind"):
+                yield (stated(side, ref, b, low, min(high, ways_of.FAR_APART)),)
+        sides = [self._asset(one.name).size[:2] for one in (ref, b) if isinstance(one, AssetRef)]
+        short, long = (round(sum(pick(side) for side in sides) / 2, 3) for pick in (min, max))
+        if high == math.inf:
+            yield (stated("distance_constraint", ref, b, low + long, None),)
+        elif isinstance(b, PointRef):
+            yield (
+                stated("distance_constraint", ref, b, low + short, high + long)
+                if low
+                else stated("near", ref, b, high),
+            )
+
+    def _ways_off_a_wall(
+        self, ref: AssetRef, wall: WallRef, low: float, high: float, others: Sequence[WallRef]
+    ) -> Iterator[Way]:
+        """Yield the ways in which a thing stands so many metres off a wall, with one of its sides to it; no nearer to others."""
+        depth, width, _ = self._asset(ref.name).size
+        x, y = self.room.walls[wall.index].normal
+        for angle, half, other in ((90, depth, width), (270, depth, width), (0, width, depth), (180, width, depth)):
+            apart = stated("distance_constraint", ref, wall, round(half / 2 + low, 3), round(half / 2 + high, 3))
+            far = list[Relation]()
+            for one in others if not self._is(ref.name, small.SLEPT_ON) else ():
+                u, v = self.room.walls[one.index].normal
+                deep = half if abs(x * u + y * v) > math.sqrt(0.5) else other
+                far.append(stated("distance_constraint", ref, one, round(deep / 2 + low, 3)))
+            yield (stated("align_with", ref, wall, float(angle)), apart, *far)

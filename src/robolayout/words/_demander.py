@@ -8,7 +8,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from itertools import pairwise
 
-from robolayout.constraints import AssetRef, PointRef, Relation, WallRef
+from robolayout.constraints import AssetRef, PointRef, WallRef
 from robolayout.constraints.between import BetweenTwo
 from robolayout.constraints.in_shape import InShape
 from robolayout.scene import Scene
@@ -105,6 +105,9 @@ class Demander(AtSides):
         if relation == "flank" and it.place.name in ("window", "door") and len(it.subjects) > 1:
             yield Demand(tuple(self._ways_flanking(it.subjects, it.place)))
             return
+        if relation in ("left", "right") and it.place.name in ("window", "door"):
+            yield from (Demand(tuple(self._ways_beside(a, it.place, relation))) for a in it.subjects)
+            return
         on, share = relation in ("on", "wall", "hanging"), len(it.subjects) > 1 and relation != "flank"
         share = share or not self.manned.isdisjoint(it.subjects)  # somebody sits between
         under = relation == "under" and it.place.name == "window"
@@ -186,24 +189,12 @@ class Demander(AtSides):
             yield in_rows(it.subjects, None, gap=metres[0], aisle=metres[0])
             return
         for a, b in it.twos if it.groups or it.place else pairwise(it.subjects):
-            yield single(self._gap(a, AssetRef(b), *metres))
+            yield self._gap(a, (AssetRef(b),), *metres)
         for a in it.subjects:
             walls = it.place is not None and it.place.name == "wall" and walls_meant(self.room, it.place)
             to = [WallRef(wall.index) for wall in walls] if walls else self._points(it.place)
-            gaps = [self._gap(a, end, *metres) for end in to]
-            if metres[1] == math.inf:
-                yield from map(single, gaps)
-            elif gaps:
-                yield single(*gaps)
-
-    def _gap(self, a: str, b: AssetRef | PointRef | WallRef, low: float, high: float) -> Relation:
-        """Return that so many metres lie between edges: whichever of their sides these are, or surely on all of them."""
-        sides = [self._asset(ref.name).size[:2] for ref in (AssetRef(a), b) if isinstance(ref, AssetRef)]
-        short, long = (round(sum(pick(side) for side in sides) / 2, 3) for pick in (min, max))
-        if low == 0 and not isinstance(b, WallRef):
-            return stated("near", AssetRef(a), b, high)
-        bounds = (low + long, None) if high == math.inf else (low + short, high + long)
-        return stated("distance_constraint", AssetRef(a), b, *bounds)
+            for ends in [(end,) for end in to] if metres[1] == math.inf else [tuple(to)] * bool(to):
+                yield self._gap(a, ends, *metres)
 
     def _flank(self, it: Asked) -> Iterator[Demand]:
         """Left and right of a thing, in turn."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Literal
@@ -10,7 +11,7 @@ from shapely.geometry.base import BaseGeometry
 
 from robolayout.assets import category_of
 from robolayout.constraints import Relation
-from robolayout.scene import Layout, Scene
+from robolayout.scene import Layout, Room, Scene
 from robolayout.words import _function_words as small
 from robolayout.words._lexicon import grammar
 from robolayout.words._said import Item, Place
@@ -72,6 +73,8 @@ def said(demand: Demand) -> str:
     """Return a demand in words."""
     if demand.exact is not None:
         return f"{demand.exact.a} between {demand.exact.b} and {demand.exact.c}"
+    if demand.gap is not None:
+        return f"{demand.gap.a} {demand.gap.asked} from {' or '.join(map(str, demand.gap.to))}"
     first = ", ".join(relation.sentence() for relation in demand.ways[0])
     return f"{first} or one of {len(demand.ways) - 1} other ways" if len(demand.ways) > 1 else first
 
@@ -148,11 +151,19 @@ def bodied(name: str, room: Furnished) -> Finding:
     return ("met" if name in bodies else "not judged"), f"laid out for {bodies}"
 
 
+def _sides(room: Room) -> list[float]:
+    """Return the sides in metres of the smallest rectangle along a wall that holds a room, also of one that stands askew."""
+    found = list[list[float]]()
+    for dx, dy in (wall.direction for wall in room.walls):
+        spans = ([x * u + y * v for x, y in room.vertices] for u, v in ((dx, dy), (-dy, dx)))
+        found.append(sorted(max(span) - min(span) for span in spans))
+    return min(found, key=math.prod)
+
+
 def measured(measure: Measure, room: Furnished) -> Finding:
     """Judge a measure of the room."""
     kind, given = measure.kind, room.scene.room
-    x0, y0, x1, y1 = given.bounds
-    there = {"size": sorted((x1 - x0, y1 - y0)), "area": [given.area], "height": [given.wall_height]}.get(kind)
+    there = {"size": _sides(given), "area": [given.area], "height": [given.wall_height]}.get(kind)
     if there is None:
         return "not judged", ""
     off = max(abs(a - b) for a, b in zip(there, sorted(measure.values), strict=True))

@@ -123,6 +123,8 @@ def _settle_by_place(link: Link) -> None:
         if place == "wall" and link.relation != "above" and stands:
             continue
         fits = [kind.name for kind in noun.categories if place in kind.places]
+        if not fits and link.relation == "above":  # "a shelf above the desk" hangs on the wall behind it
+            fits = [kind.name for kind in noun.categories if "wall" in kind.places]
         if noun.others and fits and noun.words in (noun.kind, noun.said):
             words = fits[0] if noun.words == noun.kind else noun.words
             thing.noun = replace(noun, words=words, kind=fits[0], others=())

@@ -321,25 +321,24 @@ class AtPlaces:
     def _ways_flanking(self, subjects: Sequence[str], place: Place) -> Iterator[Way]:
         """Yield the ways in which things are at both sides of a door or window, in turn."""
         for opening in openings_meant(self.room, place):
-            wall = self.room.walls[opening.wall]
-            (x, y), (dx, dy), (nx, ny) = wall.point(opening.center), wall.direction, wall.normal
-            far, gap = sum(one.length for one in self.room.walls), opening.width / 2 + ways_of.BESIDE
-            middle, (u, v) = _point((x, y)), (x + far * nx, y + far * ny)
-            halves = [
-                (middle, *(PointRef(p + side * dx, q + side * dy) for p, q in ((x, y), (u, v))), PointRef(u, v))
-                for side in (far, -far)
-            ]
+            at_wall = [stated(self._held(a, on=True), AssetRef(a), WallRef(opening.wall)) for a in subjects]
             for first in (0, 1):
-                sides = ((AssetRef(a), halves[(i + first) % 2]) for i, a in enumerate(subjects))
-                yield tuple(
-                    said
-                    for ref, half in sides
-                    for said in (
-                        stated(self._held(ref.name, on=True), ref, WallRef(wall.index)),
-                        stated("near", ref, middle, gap),
-                        stated("zone", ref, half),
-                    )
-                )
+                sides = (self._at_a_side(a, opening, i + first) for i, a in enumerate(subjects))
+                yield tuple(said for held, at in zip(at_wall, sides, strict=True) for said in (held, *at))
+
+    def _ways_beside(self, a: str, place: Place, side: str) -> Iterator[Way]:
+        """Yield the ways in which a thing is to the left or right of a door or window, as one sees it from inside."""
+        for opening in openings_meant(self.room, place):
+            yield self._at_a_side(a, opening, ("left", "right").index(side))
+
+    def _at_a_side(self, a: str, opening: Opening, side: int) -> Way:
+        """Return that a thing is near a door or window, in the half of the room at its left or, for odd numbers, its right."""
+        wall, far = self.room.walls[opening.wall], sum(one.length for one in self.room.walls)
+        (x, y), (dx, dy), (nx, ny) = wall.point(opening.center), wall.direction, wall.normal
+        middle, (u, v), to = _point((x, y)), (x + far * nx, y + far * ny), -far if side % 2 else far
+        half = (middle, *(PointRef(p + to * dx, q + to * dy) for p, q in ((x, y), (u, v))), PointRef(u, v))
+        near = stated("near", AssetRef(a), middle, opening.width / 2 + ways_of.BESIDE)
+        return (near, stated("zone", AssetRef(a), half))
 
     def _ways_amidst(self, b: str, items: Sequence[str]) -> tuple[Way, ...]:
         """Return the ways in which something is between two that are deeper, at their wall, or hangs between two that stand."""

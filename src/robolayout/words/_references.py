@@ -188,7 +188,9 @@ class References(Spoken):
 
     def _on_both_sides(self, chunk: Chunk, subjects: Sequence[Mention], objects: Sequence[Item]) -> Chunk:
         """Count what stands at each side of something; return the relation, which is "around" for several seats."""
-        each = self.having or "each" in chunk.adjectives  # "a sofa and a chair on either side of it" are one each
+        each = (
+            self.having and self.holder
+        ) or "each" in chunk.adjectives  # "a sofa and a chair on either side of it" are one each
         for mention in subjects if each else subjects[: len(subjects) == 1]:
             thing = mention.thing
             own = not objects and mention.det == "a"

@@ -50,7 +50,7 @@ _LENGTH = re.compile(rf"{_N}[\s-]*(?:({_LENGTHS}|in(?={_HOW}|{_FLAT}))(?:{_HOW}|
 _APART = re.compile(
     rf"(?:\b(?:(at least|no less than|more than|(?:no|not|none)(?: of them)? (?:closer|nearer) than)"
     r"|(at most|no more than|up to|less than|within))\s+)?"
-    rf"{_N}{_U}\s*(?:apart|(?:away )?from|of|to|(?:of )?(?:(?:free|clear|empty) )?(?:space |distance )?between)\b",
+    rf"{_N}{_U}\s*(?:apart|(?:away )?from|of|to|(?:of )?(?:(?:free|clear|empty) )?(?:space |distance |gap |passage |clearance )?between)\b",
     re.IGNORECASE,
 )
 Size = tuple[float, float, float]

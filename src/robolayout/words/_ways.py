@@ -121,6 +121,9 @@ TO_ANOTHER: Mapping[str, Ways] = {
 AT_PLACES = frozenset((*TO_ANOTHER, "oneside", "on", "in", "flank", "under", "above", "behind", "hanging"))
 """Relations that lead to a place of the room as well as to things."""
 
+FAR_APART = 20.0
+"""Metres that "at least" leaves open."""
+
 OFF_A_WALL = (0.3, math.inf)
 """Metres between things and a wall that stays free, least and most."""
 

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from robolayout.constraints import RELATIONS, AssetRef, Outcome, Relation
+from robolayout.constraints import RELATIONS, TOLERANCE, AssetRef, Outcome, PointRef, Relation, WallRef
+from robolayout.constraints._exact import footprint, shape
 from robolayout.constraints.between import BetweenTwo
 from robolayout.scene import Layout, Scene
 from robolayout.words._ways import Ways
@@ -15,16 +17,43 @@ Way = tuple[Relation, ...]
 
 
 @dataclass(frozen=True)
+class EdgeGap:
+    """So many metres lie between the edges of a thing and another one, a point, or the nearest of some walls."""
+
+    a: AssetRef
+    to: tuple[AssetRef | PointRef | WallRef, ...]
+    low: float  # least metres
+    high: float  # most metres
+    nearest: bool = True  # whether none of the others may be nearer; else one of them is so far
+
+    @property
+    def asked(self) -> str:
+        """What is asked, in words."""
+        return f"{self.low:g} to {self.high:g} m" if self.high < math.inf else f"at least {self.low:g} m"
+
+    def check(self, scene: Scene, layout: Layout) -> Outcome:
+        """Footprints within [low - 0.05, high + 0.05] m of each other."""
+        here = footprint(scene, layout, self.a)
+        gaps = [here.distance(shape(scene, layout, ref)) for ref in self.to]
+        gap = min(gaps) if self.nearest else min(gaps, key=lambda gap: max(self.low - gap, gap - self.high))
+        met = self.low - TOLERANCE.gap <= gap <= self.high + TOLERANCE.gap
+        return Outcome(
+            met, gap, self.low if gap < self.low else self.high, "m", f"{gap:.2f} m between, asked {self.asked}"
+        )
+
+
+@dataclass(frozen=True)
 class Demand:
     """One thing that must hold, and the ways in which it can."""
 
     ways: tuple[Way, ...]  # statements of the public vocabulary; one of these ways is enough
     exact: BetweenTwo | None = None  # what is judged instead, where the ways only lead there
+    gap: EdgeGap | None = None  # the same of metres between edges
 
     def measure(self, scene: Scene, layout: Layout) -> Outcome:
         """Return how the demand stands: the outcome of the worst statement of its best way."""
-        if self.exact is not None:
-            return self.exact.check(scene, layout)
+        if (judged := self.exact or self.gap) is not None:
+            return judged.check(scene, layout)
         worst = [_worst([relation.check(scene, layout) for relation in way]) for way in self.ways]
         return min(worst, key=lambda outcome: (not outcome.met, outcome.value - outcome.limit))
 

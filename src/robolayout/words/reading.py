@@ -112,7 +112,7 @@ class Reading:
         cornered = {m.thing for link in self.parsed.links if place_in(link.objects, "corner") for m in link.subjects}
         return bool(by_door & cornered) or any(
             (item.name == "corner" and (item.det == "each" or item.plural))
-            or (link.relation, item.name) == ("flank", "door")
+            or (item.name == "door" and link.relation in ("flank", "left", "right"))
             for link in self.parsed.links
             for item in places(link.objects)
         )
