@@ -8,8 +8,9 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from robolayout.constraints import AssetRef, PointRef, Relation, WallRef
 from robolayout.words import _function_words as small
 from robolayout.words import _ways as ways_of
-from robolayout.words._places import Asked, AtPlaces
+from robolayout.words._places import Asked, AtPlaces, openings_meant, walls_meant
 from robolayout.words._rows import ToldRows
+from robolayout.words._said import Place
 from robolayout.words.demands import Demand, EdgeGap, Way, by_ways, single, stated
 
 SIDES_OF_A_LOUNGE = ("behind", "left_of", "right_of", "in_front_of")
@@ -100,6 +101,16 @@ class AtSides(AtPlaces):
             found.append(stated(side, AssetRef(a), AssetRef(b), low, high))
             found += [stated("align_with", AssetRef(a), AssetRef(b), ways_of.TOWARDS[side])] * sat_on
         return tuple(found)
+
+    def _ways_turned(self, a: str, place: Place, across: bool) -> Iterator[Way]:
+        """Yield the ways in which the longer side of a thing is along a wall, or that of a window or door, or square to it."""
+        depth, width, _ = self._asset(a).size
+        openings = openings_meant(self.room, place) if place.name != "wall" else ()
+        near = [stated("near", AssetRef(a), point, ways_of.AT_DOOR) for point in self._points(place)[: len(openings)]]
+        walls = [one.wall for one in openings] or [wall.index for wall in walls_meant(self.room, place)]
+        for number, wall in enumerate(walls):
+            for angle in (0.0, 180.0) if (depth < width) == across else (90.0, 270.0):
+                yield (stated("align_with", AssetRef(a), WallRef(wall), angle), *near[number : number + 1])
 
     def _gap(self, a: str, to: tuple[AssetRef | PointRef | WallRef, ...], low: float, high: float) -> Demand:
         """Return that so many metres lie between a thing and the nearest of some others; a bed may have another wall at its head."""

@@ -47,8 +47,10 @@ class ClosedWords:
     def _overlaid(self, at: int, size: int) -> bool:
         """Return whether a relation that begins within this one goes on beyond it: "placed on either side of"."""
         left = min(LONGEST - 1, len(self.words) - at - size)
-        phrases = (self.words[i : at + size + more + 1] for i in range(at + 1, at + size) for more in range(left))
-        return any(self.grammar.phrases.get(" ".join(words), ("", ""))[0] == "rel" for words in phrases)
+        spans = ((i, at + size + more + 1) for i in range(at + 1, at + size) for more in range(left))
+        phrases = ((" ".join(self.words[i:end]), end) for i, end in spans)
+        known = ((phrase, end) for phrase, end in phrases if self.grammar.phrases.get(phrase, ("", ""))[0] == "rel")
+        return any(self._is_relation(phrase, end) for phrase, end in known)  # none in "parallel to the left wall"
 
     def _is_relation(self, phrase: str, end: int) -> bool:
         """Return whether a phrase is a relation here: "opposite walls", "left bank" and "to the left wall" are none."""

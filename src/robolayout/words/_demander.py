@@ -108,6 +108,9 @@ class Demander(AtSides):
         if relation in ("left", "right") and it.place.name in ("window", "door"):
             yield from (Demand(tuple(self._ways_beside(a, it.place, relation))) for a in it.subjects)
             return
+        if relation in ("aligned", "square") and it.place.name in ("window", "door", "wall"):
+            yield from (Demand(tuple(self._ways_turned(a, it.place, relation == "square"))) for a in it.subjects)
+            return
         on, share = relation in ("on", "wall", "hanging"), len(it.subjects) > 1 and relation != "flank"
         share = share or not self.manned.isdisjoint(it.subjects)  # somebody sits between
         under = relation == "under" and it.place.name == "window"
