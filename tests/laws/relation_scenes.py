@@ -20,6 +20,7 @@ import numpy as np
 
 from robolayout.assets import find_category
 from robolayout.constraints import RELATIONS, AssetRef, ClearTerm, FrameTerm, PointRef, Relation, WallRef
+from robolayout.constraints.mounted_on import EYE_HEIGHT
 from robolayout.program import Program, Statement, read_program
 from robolayout.scene import Asset, Layout, Opening, Pose, Room, Scene
 from robolayout.solve import Problem, Weights, compile_problem
@@ -148,9 +149,10 @@ def stage_arrays(problem: Problem) -> Arrays:
 def flat_problem(scene: Scene, *relations: Relation, seed: int = 0) -> Problem:
     """Return a problem in which everything moves at once, at the height that the statements give it."""
     statements = tuple(Statement(relation, number=i) for i, relation in enumerate(relations, 1))
-    apart = Layout(
-        {asset.name: Pose(0.1 * i, 0.1 * i, asset.size[2] / 2, 0.0) for i, asset in enumerate(scene.assets, 1)}
-    )
+    hung = {asset.name for asset in scene.assets if asset.on_wall and not asset.on_floor}
+    heights = (EYE_HEIGHT if asset.name in hung else asset.size[2] / 2 for asset in scene.assets)
+    places = enumerate(zip(scene.assets, heights, strict=True), 1)
+    apart = Layout({asset.name: Pose(0.1 * i, 0.1 * i, z, 0.0) for i, (asset, z) in places})
     problem = compile_problem(scene, Program(statements=statements), seed=seed, built=apart)
     count = len(scene.assets)
     return replace(problem, parent=(-1,) * count, stage=(0,) * count)

@@ -12,6 +12,7 @@ from robolayout.planners._knowledge import load_knowledge
 from robolayout.planners._roles import cast_scene, fallback
 from robolayout.scene import Asset, agent_names, scene_from_dict
 from robolayout.words import grammar, read_rooms, read_words
+from robolayout.words._function_words import AREAS
 
 KNOWLEDGE = load_knowledge()
 
@@ -73,7 +74,7 @@ def test_statements_use_known_relations() -> None:
 def test_rooms_name_only_catalogue_things_and_known_bodies() -> None:
     rooms = read_rooms()
     things = [n for r in rooms.rooms.values() for part in (r.base, r.extras, r.person) for n in part]
-    things += [n for corner in rooms.corners.values() for n in corner]
+    things += [n for area in AREAS.values() for n in area]
     things += [n for value in rooms.companions.values() for n in value]
     assert not [name for name in things if name not in CATALOGUE]
     assert not [name for name in rooms.companions if name not in CATALOGUE and name not in grammar().kinds]
