@@ -130,19 +130,20 @@ class AtSides(AtPlaces):
         if isinstance(b, WallRef) and high < math.inf:
             yield from self._ways_off_a_wall(ref, b, low, high, [w for w in to if isinstance(w, WallRef) and w != b])
             return
+        if low == 0 and not isinstance(b, WallRef):
+            yield (stated("near", ref, b, high),)
+            return
         if isinstance(b, AssetRef):
-            for side in ("left_of", "right_of", "in_front_of", "behind"):
-                yield (stated(side, ref, b, low, min(high, ways_of.FAR_APART)),)
+            beds = self._is(a, small.SLEPT_ON) and self._is(b.name, small.SLEPT_ON)  # they stand side by side
+            for side in ("left_of", "right_of") if beds else ("left_of", "right_of", "in_front_of", "behind"):
+                apart = stated(side, ref, b, low, min(high, ways_of.FAR_APART))
+                yield (apart, stated("align_with", ref, b)) if beds else (apart,)
         sides = [self._asset(one.name).size[:2] for one in (ref, b) if isinstance(one, AssetRef)]
         short, long = (round(sum(pick(side) for side in sides) / 2, 3) for pick in (min, max))
         if high == math.inf:
             yield (stated("distance_constraint", ref, b, low + long, None),)
         elif isinstance(b, PointRef):
-            yield (
-                stated("distance_constraint", ref, b, low + short, high + long)
-                if low
-                else stated("near", ref, b, high),
-            )
+            yield (stated("distance_constraint", ref, b, low + short, high + long),)
 
     def _ways_off_a_wall(
         self, ref: AssetRef, wall: WallRef, low: float, high: float, others: Sequence[WallRef]
