@@ -11,6 +11,7 @@ from shapely import Point, Polygon
 
 import robolayout as rl
 from robolayout.run.result import Result
+from robolayout.words import read_words
 
 
 def there(text: str) -> Counter[str]:
@@ -44,6 +45,9 @@ def windows(result: Result) -> list[tuple[float, float]]:
         ("a living room with a kitchen", {"kitchen_counter": 2, "kitchen_sink": 1, "stove": 1, "range_hood": 1}),
         ("a play area with a rug and two bean bags", {"bean_bag": 2, "rug": 1}),
         ("a reading nook with an armchair", {"armchair": 1}),
+        ("a living room with two sitting areas", {"armchair": 4, "side_table": 2}),
+        ("a bedroom with no sitting area", {"armchair": 0, "side_table": 0}),
+        ("an office without a meeting area", {"round_table": 0, "stool": 0}),
     ],
 )
 def test_what_belongs_in_a_part_of_a_room_is_there_besides_what_is_usual(text: str, things: dict[str, int]) -> None:
@@ -117,3 +121,26 @@ def test_several_in_the_corner_are_in_one_corner(kinds: tuple[str, str]) -> None
     one, two = (Polygon(result.layout[name].corners(result.scene.by_name[name].size)) for name in names)
     corner = min(result.scene.room.vertices, key=lambda vertex: Point(vertex).distance(one.union(two)))
     assert Point(corner).distance(one.union(two)) < 0.5 and one.distance(two) < 0.65
+
+
+def test_each_half_has_what_is_done_there() -> None:
+    result = made("the left side is the sleeping area and the right side is the living area")
+    x0, _, x1, _ = result.scene.room.bounds
+    middle = (x0 + x1) / 2
+    assert result.layout["bed-0"].x < middle < result.layout["sofa-0"].x
+    assert result.layout["coffee_table-0"].x > middle
+
+
+@pytest.mark.parametrize(
+    ("text", "things", "lost"),
+    [
+        ("a living room divided into a sitting area and a dining area", {"armchair": 2, "dining_table": 1}, False),
+        ("a bedroom with a treatment area", {}, True),
+        ("a classroom with a reading rug area", {}, True),
+    ],
+)
+def test_a_part_of_which_nothing_is_known_is_given_back(text: str, things: dict[str, int], lost: bool) -> None:
+    scene, _ = rl.scene_from_sentence(text)
+    found = Counter(asset.name.rsplit("-", 1)[0] for asset in scene.assets)
+    assert {kind: found[kind] for kind in things} == things
+    assert any(row.kind == "not understood" for row in read_words(scene).rows) == lost

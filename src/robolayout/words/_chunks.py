@@ -284,7 +284,7 @@ class Chunker(ClosedWords):
         article, before = (self._word(i - len(run) - back) for back in (1, 2))
         if word == "stand" and run and article in ("a", "an") and before not in small.JOINING:
             return False  # "on a keyboard stand"
-        area = word in small.DONE_THERE and self._word(i + 1) in small.AREA_NOUNS  # "a sitting area"
+        area = word in small.DONE_THERE and self._word(i + 1).removesuffix("s") in small.AREA_NOUNS  # "a sitting area"
         if area or (self.lexicon.noun(self.words[i : i + 2]) is not None and self._continues(i)):
             return False
         known = bool(run) and self.lexicon.noun([run[-1], word]) is not None
@@ -317,7 +317,7 @@ class Chunker(ClosedWords):
                 if chunk and not (chunk[0] == "function" and start and self.lexicon.noun(run[start - 1 : start])):
                     kind, value, noun = chunk
                     after, number = self._counted_after(i + end, number) if kind == "thing" else (0, number)
-                    owner = i + end - 1 in self.owners or kind not in ("thing", "part")
+                    owner = i + end - 1 in self.owners or kind not in ("thing", "part", "corner")
                     plural = not owner and _plural(tail[-3 if "of" in tail else -1], noun)
                     adjectives = (*run[:start], *heaped(self.words[at:i]))
                     adjectives += tuple(tail[-1:]) if value == "side" and tail[-1] in small.HALVES else ()
@@ -372,7 +372,8 @@ class Chunker(ClosedWords):
             return "room", self.lexicon.room_words[phrase], None
         if phrase in self.grammar.functions:
             return "function", phrase, None
-        done = " ".join(tail[:-1]) if tail[-1] in small.AREA_NOUNS else phrase.removesuffix("space")
+        part = tail[-1] in small.AREA_NOUNS or tail[-1].removesuffix("s") in small.AREA_NOUNS
+        done = " ".join(tail[:-1]) if part else phrase.removesuffix("space")
         if done != phrase and done in small.DONE_THERE:
             return "corner", small.DONE_THERE[done], None
         if phrase in self.grammar.parts or single in self.grammar.parts:

@@ -8,6 +8,7 @@ from itertools import pairwise
 
 from robolayout.words import _function_words as small
 from robolayout.words._chunk import MARKS, Chunk
+from robolayout.words._lexicon import grammar
 from robolayout.words._said import Parsed, named
 from robolayout.words._tokens import count_of
 
@@ -61,7 +62,8 @@ def _named(chunk: Chunk, said: Parsed) -> bool:
 def _says(chunk: Chunk, after: Sequence[Chunk]) -> bool:
     """Return whether a chunk asks for something: of the small words numbers do, and verbs of place with no relation after them."""
     if chunk.kind == "part" and chunk.value in ("room", "floor"):
-        return bool(chunk.number and chunk.number > 1)
+        unknown = chunk.value == "room" and chunk.det == "a" and {*chunk.adjectives} - grammar().adjectives
+        return bool(unknown) or (chunk.number or 1) > 1  # "a treatment area"
     led, side = [other.kind for other in after[:2]], (chunk.kind, chunk.value) == ("part", "side")
     if side and (led == ["verb", "rel"] or (chunk.det and led[:1] == ["rel"])):
         return False  # "its headboard touches the wall", "a bed whose headboard is against the wall"

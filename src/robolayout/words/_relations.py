@@ -11,6 +11,7 @@ from itertools import dropwhile, pairwise, takewhile
 from robolayout.words import _function_words as small
 from robolayout.words._about import About
 from robolayout.words._chunk import NOTHING, Chunk
+from robolayout.words._lexicon import Noun
 from robolayout.words._said import Item, Link, Mention, Place, mentions, named, place_in, place_of
 from robolayout.words._tokens import Measure
 from robolayout.words._ways import MIDDLE_AISLE
@@ -27,6 +28,10 @@ class Relating(About):
             *sides, height = chunk.measure.values  # "4 x 5 x 2.7 m"
             self._fact(replace(chunk, measure=replace(chunk.measure, kind="height", values=(height,))))
             chunk = replace(chunk, measure=replace(chunk.measure, values=tuple(sides)))
+        if chunk.kind == "corner" and self.refusing:  # "no sitting area": none of what it would have first
+            kind = next(iter(small.AREAS[chunk.value]))
+            self.said.refused.append((Noun(kind, kind, kind), (chunk.start, chunk.end)))
+            return
         self.said.facts.append(chunk)
         if chunk.kind in ("room", "corner"):
             self._new_zone(chunk)

@@ -44,15 +44,17 @@ class RoomPart:
             said.instead(self.first, own[0])
         if own or (area.kind == "room" and (usual or len(rooms) < 2)):
             return
+        times = area.number or 1 + area.plural  # "two sitting areas"
         there, told = {thing.head for thing in said.things}, {thing for k in said.links for thing in named(k.subjects)}
         for number, (kind, count) in enumerate(small.AREAS[area.value].items()):
             alike = [t for t in said.things if t.noun.kind == kind and t not in told] if number == 0 else []
             alike = [self.first] if number == 0 and self.first is not None else alike
             if not alike and (number == 0 or kind.split()[-1] not in there):
-                alike = [said.implied(kind, count, area)]
+                alike = [said.implied(kind, count * times, area)]
             self.things += [Mention(thing) for thing in alike[:1]]
         first, *others = [m for m in self.things if not m.flat] or self.things
-        near = [m for m in others if area.value != "kitchen" and m.thing.category.on_floor and not m.sat_on]
+        alone = area.value != "kitchen" and times == 1
+        near = [m for m in others if alone and m.thing.category.on_floor and not m.sat_on]
         yield from (Link("near", (other,), (first,), area.start, area.end) for other in near[:1])
 
 
@@ -120,7 +122,7 @@ class Spoken:
     def _new_zone(self, chunk: Chunk) -> None:
         """Forget what was spoken of: what a part of the room has belongs to no thing before it."""
         half = chunk.value == "side" and bool({*chunk.adjectives} & {*grammar().walls})
-        if self.zone is None or not self.zone.half:  # "the front half is a play area with a rug"
+        if half or self.zone is None or not self.zone.half:  # "the front half is a play area with a rug"
             self.zone = self._part_of_room(chunk)
         elif chunk.kind == "corner":
             self.zone.area = self.zone.area or chunk
