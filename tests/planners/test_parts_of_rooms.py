@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections import Counter
+from dataclasses import replace
 
 import pytest
 from said_rooms import made, of
@@ -48,6 +49,13 @@ def windows(result: Result) -> list[tuple[float, float]]:
         ("a living room with two sitting areas", {"armchair": 4, "side_table": 2}),
         ("a bedroom with no sitting area", {"armchair": 0, "side_table": 0}),
         ("an office without a meeting area", {"round_table": 0, "stool": 0}),
+        ("a living room with no dining area", {"dining_table": 0}),
+        ("a sitting area but no side table", {"armchair": 2, "side_table": 0}),
+        ("a room with a desk by the window and a work area by the door", {"desk": 2}),
+        ("a bar area with three stools", {"bar_counter": 1, "bar_stool": 3}),
+        ("a piano in the music corner", {"piano": 1, "digital_piano": 0}),
+        ("a living room with a sofa and a dining area", {"dining_table": 1, "chair": 4}),
+        ("a living room with a side table and a play area", {"kids_table": 1}),
     ],
 )
 def test_what_belongs_in_a_part_of_a_room_is_there_besides_what_is_usual(text: str, things: dict[str, int]) -> None:
@@ -144,3 +152,23 @@ def test_a_part_of_which_nothing_is_known_is_given_back(text: str, things: dict[
     found = Counter(asset.name.rsplit("-", 1)[0] for asset in scene.assets)
     assert {kind: found[kind] for kind in things} == things
     assert any(row.kind == "not understood" for row in read_words(scene).rows) == lost
+
+
+def test_two_parts_stand_each_at_its_own_place() -> None:
+    result = made("an office with a gaming area in the left corner and a work area in the right corner")
+    x0, _, x1, _ = result.scene.room.bounds
+    left, right = sorted(result.layout[name].x for name in of(result, "desk"))
+    assert left < x0 + 1.2 and right > x1 - 1.2 and result.report.ok
+
+
+def test_a_part_of_a_room_is_so_many_metres_from_a_window() -> None:
+    result = made("a bedroom with a work area 1 m from the window")
+    depth = max(result.scene.by_name["desk-0"].size[:2])
+    near = min(away(result, "desk-0", window) for window in windows(result))
+    assert 0.95 < near < 1.35 + depth and result.report.ok
+
+
+def test_what_is_beside_an_opening_that_is_not_there_is_given_back() -> None:
+    scene, _ = rl.scene_from_sentence("a bedroom with a desk to the left of the window")
+    bare = replace(scene, room=replace(scene.room, windows=()))
+    assert [row.kind for row in read_words(bare).rows if "left" in row.words] == ["not understood"]

@@ -139,8 +139,8 @@ def _by_material(pieces: Sequence[Part]) -> list[Part]:
         kept = looks[: LIMITS.drawn_parts - 1]
         plain = [look for look in kept if look.texture is None] or [replace(kept[0], texture=None)]
         for look in looks[LIMITS.drawn_parts - 1 :]:
-            near = min(plain, key=lambda other: math.dist(other.color, look.color))
-            groups.setdefault(near, []).extend(replace(piece, material=near, uv=None) for piece in groups.pop(look))
+            near, rest = min(plain, key=lambda other: math.dist(other.color, look.color)), groups.pop(look)
+            groups.setdefault(near, []).extend(replace(piece, material=near, uv=None) for piece in rest)
     return [_joined(row) for row in groups.values()]
 
 

@@ -50,8 +50,8 @@ def _low(asset: Asset, top: float) -> Iterator[FloatArray]:
         return
     for part in parts(asset):
         if part.vertices[:, 2].min() < top - CLEAR:
-            met = clipped(part.vertices[part.faces], bottom, top, math.inf)
-            yield np.concatenate([points.reshape(-1, 3) for points in met])[:, :2]
+            met = [points.reshape(-1, 3) for points in clipped(part.vertices[part.faces], bottom, top, math.inf)]
+            yield np.concatenate([np.zeros((0, 3)), *met])[:, :2]
 
 
 def _seen(points: FloatArray, pose: Pose, place: Pose) -> FloatArray:

@@ -166,8 +166,8 @@ def _wished(wishes: RoomWishes) -> dict[str, int]:
     elif chairs and not tables and "dining table" in room.extras and not _at_a_counter(wished):
         wished["dining table"] = 1
     lounge = _lounge(wishes, wished)
-    for name, count in wishes.implied.items():
-        new = max(0, count - wished[name])
+    for name, count in wishes.implied.items():  # besides what is named, but not besides what is usual
+        new = max(0, count - (wished[name] - wishes.things.get(name, 0)))
         wished[name] += new
         wished["office chair"] += new * (head(name) == "desk" and "office chair" in wished)
     return dict(+wished) | lounge

@@ -60,6 +60,8 @@ class About(References):
             return self._place_of(following)
         clause = following.kind == "people" and self._ahead(-1).kind == "filler"  # "in front, so that people see it"
         whole = chunk.value in ("in", "on", "around", "flank")  # "in the kitchen", "around the room"
+        if following.kind == "corner" and chunk.value == "in":  # "a piano in the music corner"
+            self._part_of_room(following).things += self.about
         if following.kind in ("room", "corner") and not whole and (first := self._stands_for(following)) is not None:
             self.at += 1
             self.said.facts.append(following)

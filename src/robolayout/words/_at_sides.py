@@ -6,6 +6,7 @@ import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from robolayout.constraints import AssetRef, PointRef, Relation, WallRef
+from robolayout.scene import ROUNDING
 from robolayout.words import _function_words as small
 from robolayout.words import _ways as ways_of
 from robolayout.words._places import Asked, AtPlaces, openings_meant, walls_meant
@@ -107,7 +108,8 @@ class AtSides(AtPlaces):
         depth, width, _ = self._asset(a).size
         openings = openings_meant(self.room, place) if place.name != "wall" else ()
         near = [stated("near", AssetRef(a), point, ways_of.AT_DOOR) for point in self._points(place)[: len(openings)]]
-        walls = [one.wall for one in openings] or [wall.index for wall in walls_meant(self.room, place)]
+        walls = [wall.index for wall in walls_meant(self.room, place)] if place.name == "wall" else []
+        walls = walls or [one.wall for one in openings]
         for number, wall in enumerate(walls):
             for angle in (0.0, 180.0) if (depth < width) == across else (90.0, 270.0):
                 yield (stated("align_with", AssetRef(a), WallRef(wall), angle), *near[number : number + 1])
@@ -138,12 +140,23 @@ class AtSides(AtPlaces):
             for side in ("left_of", "right_of") if beds else ("left_of", "right_of", "in_front_of", "behind"):
                 apart = stated(side, ref, b, low, min(high, ways_of.FAR_APART))
                 yield (apart, stated("align_with", ref, b)) if beds else (apart,)
-        sides = [self._asset(one.name).size[:2] for one in (ref, b) if isinstance(one, AssetRef)]
-        short, long = (round(sum(pick(side) for side in sides) / 2, 3) for pick in (min, max))
         if high == math.inf:
-            yield (stated("distance_constraint", ref, b, low + long, None),)
+            longest = sum(max(self._asset(one.name).size[:2]) for one in (ref, b) if isinstance(one, AssetRef))
+            yield (stated("distance_constraint", ref, b, round(longest / 2 + low, 3), None),)
         elif isinstance(b, PointRef):
-            yield (stated("distance_constraint", ref, b, low + short, high + long),)
+            yield from self._ways_off_an_opening(ref, b, low, high)
+
+    def _ways_off_an_opening(self, ref: AssetRef, point: PointRef, low: float, high: float) -> Iterator[Way]:
+        """Yield the ways in which a thing is so many metres off the middle of a door or window, or off another point."""
+        depth, width, _ = self._asset(ref.name).size
+        openings = ((o.wall, self.room.walls[o.wall].point(o.center)) for o in (*self.room.doors, *self.room.windows))
+        walls = [WallRef(wall) for wall, at in openings if math.dist(at, (point.x, point.y)) < ROUNDING]
+        for angle, half in ((90.0, depth / 2), (270.0, depth / 2), (0.0, width / 2), (180.0, width / 2)):
+            least, most = round(half + low, 3), round(half + high, 3)
+            ahead = ((stated("align_with", ref, w, angle), stated("distance_constraint", ref, w, least)) for w in walls)
+            yield (stated("distance_constraint", ref, point, least, most), *next(ahead, ()))
+        beside = stated("distance_constraint", ref, point, round(width / 2 + low, 3), round(width / 2 + high, 3))
+        yield from ((stated("against_wall", ref, wall), beside) for wall in walls[:1])
 
     def _ways_off_a_wall(
         self, ref: AssetRef, wall: WallRef, low: float, high: float, others: Sequence[WallRef]

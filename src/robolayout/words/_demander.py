@@ -103,13 +103,15 @@ class Demander(AtSides):
         if it.place is None or relation not in ways_of.AT_PLACES:
             return
         if relation == "flank" and it.place.name in ("window", "door") and len(it.subjects) > 1:
-            yield Demand(tuple(self._ways_flanking(it.subjects, it.place)))
+            yield from [Demand(ways)] if (ways := tuple(self._ways_flanking(it.subjects, it.place))) else []
             return
         if relation in ("left", "right") and it.place.name in ("window", "door"):
-            yield from (Demand(tuple(self._ways_beside(a, it.place, relation))) for a in it.subjects)
+            found = [tuple(self._ways_beside(a, it.place, relation)) for a in it.subjects]
+            yield from (Demand(ways) for ways in found if ways)
             return
         if relation in ("aligned", "square") and it.place.name in ("window", "door", "wall"):
-            yield from (Demand(tuple(self._ways_turned(a, it.place, relation == "square"))) for a in it.subjects)
+            found = [tuple(self._ways_turned(a, it.place, relation == "square")) for a in it.subjects]
+            yield from (Demand(ways) for ways in found if ways)
             return
         on, share = relation in ("on", "wall", "hanging"), len(it.subjects) > 1 and relation != "flank"
         share = share or not self.manned.isdisjoint(it.subjects)  # somebody sits between
@@ -196,7 +198,8 @@ class Demander(AtSides):
         for a in it.subjects:
             walls = it.place is not None and it.place.name == "wall" and walls_meant(self.room, it.place)
             to = [WallRef(wall.index) for wall in walls] if walls else self._points(it.place)
-            for ends in [(end,) for end in to] if metres[1] == math.inf else [tuple(to)] * bool(to):
+            every = metres[1] == math.inf or (it.place is not None and it.place.det == "all")
+            for ends in [(end,) for end in to] if every else [tuple(to)] * bool(to):
                 yield self._gap(a, ends, *metres)
 
     def _flank(self, it: Asked) -> Iterator[Demand]:

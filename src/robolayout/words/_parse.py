@@ -37,7 +37,8 @@ class Parser(Relating):
             elif chunk.kind != "colon":
                 self._fact(chunk)
         self._on_stop(None)
-        self.said.links += [link for zone in self.zones.values() for link in zone.links(self.said)]
+        for zone in self.zones.values():  # one after the other: what stands in one part is of no other
+            self.said.links += [*zone.links(self.said)]
         self.said.missed = leftover(self.chunks, self.said)
         return self.said
 

@@ -213,14 +213,14 @@ class AtPlaces:
                     for sides in [[next(halves_meant(self.room, Place("side", (end,)))) for end in (one, other)]]
                 )
             )
-        elif len(corners) == len(subjects) > 1:
-            yield from (single(stated("corner", AssetRef(a), i)) for a, i in zip(subjects, corners, strict=True))
         elif (
             corners and len(subjects) > 1 and not (place.plural or place.number or place.det in ("each", "both", "all"))
         ):
             first, *rest = (AssetRef(a) for a in sorted(subjects, key=lambda a: -self._asset(a).size[1]))
             near = [stated("near", ref, first, ways_of.BESIDE) for ref in rest]  # "two armchairs in the corner"
             yield Demand(tuple((*way, *near) for way in self._ways_at(first.name, place, on=on, share=share)))
+        elif len(corners) == len(subjects) > 1:
+            yield from (single(stated("corner", AssetRef(a), i)) for a, i in zip(subjects, corners, strict=True))
         elif place.name == "window" and self._too_many(subjects, place, on=on, under=under):
             yield from (Demand(tuple(self._ways_along_windows(a, place, under=under))) for a in subjects)
         elif place.at_one_wall and len(subjects) > 1 and len(told := walls_meant(self.room, place)) > 1:

@@ -28,9 +28,14 @@ class Relating(About):
             *sides, height = chunk.measure.values  # "4 x 5 x 2.7 m"
             self._fact(replace(chunk, measure=replace(chunk.measure, kind="height", values=(height,))))
             chunk = replace(chunk, measure=replace(chunk.measure, values=tuple(sides)))
-        if chunk.kind == "corner" and self.refusing:  # "no sitting area": none of what it would have first
+        further = chunk.kind == "corner" or any(fact.kind == "room" for fact in self.said.facts)
+        if (
+            self.refusing and further and chunk.kind in ("room", "corner") and chunk.value in small.AREAS
+        ):  # "no sitting area": none of what it has first
             kind = next(iter(small.AREAS[chunk.value]))
-            self.said.refused.append((Noun(kind, kind, kind), (chunk.start, chunk.end)))
+            if all(thing.noun.kind != kind for thing in self.said.things):
+                self.said.refused.append((Noun(kind, kind, kind), (chunk.start, chunk.end)))
+            self._understood(chunk)
             return
         self.said.facts.append(chunk)
         if chunk.kind in ("room", "corner"):

@@ -33,28 +33,41 @@ class RoomPart:
         if free:
             lined = self.area is not None and self.area.value == "kitchen" and place_in(objects, "wall")
             about = tuple(free if lined or place_in(objects, "side") else free[:1])
-            yield Link(chunk.value, about, tuple(objects), chunk.start, chunk.end)
+            low, high = chunk.measure.values if chunk.measure else (0.0, 0.0)
+            yield Link(chunk.value, about, tuple(objects), chunk.start, chunk.end, (low, high))
 
     def _furnished(self, area: Chunk, said: Parsed) -> Iterator[Link]:
         """Add what belongs there where nothing is said to stand there, and yield that it stands together."""
         rooms = [fact for fact in said.facts if fact.kind == "room"]
-        usual = not (self.place or self.first) and (area in rooms[:1] or area.value in small.SHARING)
-        own = [m for m in self.things if m.thing.category.on_floor and not m.flat]
+        usual = not (self.place or self.first) and area in rooms[:1]
+        kinds = small.AREAS[area.value]
+        seat = next(iter(kinds)).split()[-1] in small.SEATS
+        own = [m for m in self.things if m.thing.category.on_floor and not m.flat and (seat or not m.sat_on)]
         if own and self.first is not None:
             said.instead(self.first, own[0])
         if own or (area.kind == "room" and (usual or len(rooms) < 2)):
             return
         times = area.number or 1 + area.plural  # "two sitting areas"
-        there, told = {thing.head for thing in said.things}, {thing for k in said.links for thing in named(k.subjects)}
-        for number, (kind, count) in enumerate(small.AREAS[area.value].items()):
-            alike = [t for t in said.things if t.noun.kind == kind and t not in told] if number == 0 else []
+        named_here = [thing for thing in said.things if not thing.implied]
+        there = {thing.noun.kind for thing in named_here} | {m.thing.head for m in self.things}
+        there |= small.SEATS if any(m.sat_on for m in self.things) else set[str]()
+        there |= {word for noun, _ in said.refused for word in (noun.kind, noun.said.split()[-1])}
+        told = {thing for k in said.links for thing in named(k.subjects)}
+        made = list[Mention]()
+        for number, (kind, count) in enumerate(kinds.items()):
+            alike = [t for t in named_here if t.noun.kind == kind and t not in told] if number == 0 else []
             alike = [self.first] if number == 0 and self.first is not None else alike
-            if not alike and (number == 0 or kind.split()[-1] not in there):
+            refused = any(noun.kind == kind for noun, _ in said.refused)
+            if not alike and not refused and (number == 0 or not {kind, kind.split()[-1]} & there):
                 alike = [said.implied(kind, count * times, area)]
-            self.things += [Mention(thing) for thing in alike[:1]]
-        first, *others = [m for m in self.things if not m.flat] or self.things
+            made += [Mention(thing) for thing in alike[:1]]
+        self.things[:0] = made
+        standing = [m for m in self.things if m.thing.category.on_floor and not m.flat]
+        if not standing:
+            return
+        first, *others = standing
         alone = area.value != "kitchen" and times == 1
-        near = [m for m in others if alone and m.thing.category.on_floor and not m.sat_on]
+        near = [m for m in others if alone and not m.sat_on]
         yield from (Link("near", (other,), (first,), area.start, area.end) for other in near[:1])
 
 
@@ -117,7 +130,8 @@ class Spoken:
         if not part.things and part.first is None:
             kind, count = next(iter(small.AREAS[chunk.value].items()))
             part.first = self.said.implied(kind, count, chunk)
-        return part.things[0] if part.things else Mention(part.first) if part.first is not None else None
+        thing = part.things[0].thing if part.things else part.first
+        return Mention(thing, slice(0, 1) if thing.count > 1 else None) if thing is not None else None
 
     def _new_zone(self, chunk: Chunk) -> None:
         """Forget what was spoken of: what a part of the room has belongs to no thing before it."""

@@ -124,6 +124,10 @@ class _RowMaker:
             yield from [] if thing in lacking else [self._count(thing)]
         for link in parsed.links:
             if lacking & named(link.subjects):
+                said = [] if link.subjects[0].thing.spans == [(link.start, link.end)] else [link]
+                yield from (
+                    as_row.unread(self.reading.span(k.start, k.end), "nothing of that part is there") for k in said
+                )
                 continue
             row = self._relation(link)
             yield row

@@ -280,7 +280,8 @@ class _Gathered:
             anchor, join = None, None  # its place is in the block
         face, weights = self._face(anchor), dict[str, float]()
         for one in self.said:
-            word = one.relation.name if getattr(one.relation, "vertex", None) is None else "one corner"
+            numbered = (getattr(one.relation, key, None) for key in ("vertex", "window"))
+            word = one.relation.name if all(number is None for number in numbered) else "one of several"
             if one.wish is not None and word in ("mid_wall", "corner", "at_window", "by_door", "snug"):
                 weights[word] = weights.get(word, 0.0) + one.wish
             elif one.wish is not None and isinstance(one.relation, CenteredOn) and one.relation.b is None:

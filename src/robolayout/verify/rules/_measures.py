@@ -49,13 +49,15 @@ def route_width(body: AgentReport) -> Measured | None:
     if not narrow and not len(tight):
         width = max(min(worst.width, float(inside.min(initial=math.inf))), ADA.route)
         return Measured(True, width, f"{width:.2f} m or more to everything")
-    if narrow:
+    entry = float(tight.min(initial=math.inf))
+    if narrow and worst.width <= entry:
         width = worst.width
         text = f"{worst.shown if width else 'no way'} to {worst.asset}{worst.sides and f', between {worst.sides}'}"
-        pinches = _pinches(nav, narrow)
     else:
-        width = float(tight.min())
-        text, pinches = f"{width:.2f} m just inside door 0", [] if width >= ADA.pinch - ADA.close else None
+        width, text = entry, f"{entry:.2f} m just inside door 0"
+    pinches = _pinches(nav, narrow) if narrow else []
+    if entry < ADA.pinch - ADA.close:
+        pinches = None
     if pinches is None:
         return Measured(False, width, text)
     longest = max(*pinches, ADA.fine * len(tight), 0.0)
