@@ -278,7 +278,7 @@ def _chains(
         held = a in subjects(other for other in demands if other is not demand)
         apart = [one.min_distance or 0.0 for one in distances if {*one.asset_names()} == {a, b}]
         between_edges = max(apart, default=0.0) - (cast[a].asset.size[0] + cast[b].asset.size[0]) / 2
-        gaps = [demand.gap.low for demand in demands if demand.gap is not None and demand.names() == {a, b}]
+        gaps = [demand.gap.low for demand in demands if demand.gap is not None and demand.names() == frozenset((a, b))]
         told = max(between_edges, *gaps) + GAPS.seated if gaps else between_edges + GAPS.seated
         gap = max(GAPS.across, (top.asset.size[0] if top is not None else 0.0) + 2 * GAPS.before, told)
         yield a, (b, Join("front", (), gap=gap, loose=held, faces="anchor", say=usual_say("front")))
