@@ -97,6 +97,7 @@ def join_as_asked(cast: Mapping[str, Cast], demands: Sequence[Demand], passage: 
         about = [demand for demand in demands if name in subjects([demand])]
         asset, anchor = found[name].asset, found[name].anchor
         stays = (asset.on_object and not asset.on_floor) or any(anchor in demand.names() for demand in about)
+        stays = stays or all(isinstance(one, DistanceConstraint) and one.max_distance is None for one in said(about))
         if not stays or any(relation.name == "mounted_on" for relation in said(about)):
             found[name] = found[name].alone
     seated = [wanted[name] for name in wanted if cast[name].role.name.endswith("seat")]
