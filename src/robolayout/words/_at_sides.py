@@ -108,8 +108,8 @@ class AtSides(AtPlaces):
         depth, width, _ = self._asset(a).size
         openings = openings_meant(self.room, place) if place.name != "wall" else ()
         near = [stated("near", AssetRef(a), point, ways_of.AT_DOOR) for point in self._points(place)[: len(openings)]]
-        walls = [wall.index for wall in walls_meant(self.room, place)] if place.name == "wall" else []
-        walls = walls or [one.wall for one in openings]
+        at_walls = place.name == "wall"
+        walls = [w.index for w in walls_meant(self.room, place)] if at_walls else [one.wall for one in openings]
         for number, wall in enumerate(walls):
             for angle in (0.0, 180.0) if (depth < width) == across else (90.0, 270.0):
                 yield (stated("align_with", AssetRef(a), WallRef(wall), angle), *near[number : number + 1])
@@ -148,27 +148,32 @@ class AtSides(AtPlaces):
 
     def _ways_off_an_opening(self, ref: AssetRef, point: PointRef, low: float, high: float) -> Iterator[Way]:
         """Yield the ways in which a thing is so many metres off the middle of a door or window, or off another point."""
-        depth, width, _ = self._asset(ref.name).size
         openings = ((o.wall, self.room.walls[o.wall].point(o.center)) for o in (*self.room.doors, *self.room.windows))
         walls = [WallRef(wall) for wall, at in openings if math.dist(at, (point.x, point.y)) < ROUNDING]
-        for angle, half in ((90.0, depth / 2), (270.0, depth / 2), (0.0, width / 2), (180.0, width / 2)):
+        for angle, half, _ in self._turns(ref):
             least, most = round(half + low, 3), round(half + high, 3)
             ahead = ((stated("align_with", ref, w, angle), stated("distance_constraint", ref, w, least)) for w in walls)
             yield (stated("distance_constraint", ref, point, least, most), *next(ahead, ()))
-        beside = stated("distance_constraint", ref, point, round(width / 2 + low, 3), round(width / 2 + high, 3))
+        half = self._asset(ref.name).size[1] / 2
+        beside = stated("distance_constraint", ref, point, round(half + low, 3), round(half + high, 3))
         yield from ((stated("against_wall", ref, wall), beside) for wall in walls[:1])
 
     def _ways_off_a_wall(
         self, ref: AssetRef, wall: WallRef, low: float, high: float, others: Sequence[WallRef]
     ) -> Iterator[Way]:
         """Yield the ways in which a thing stands so many metres off a wall, with one of its sides to it; no nearer to others."""
-        depth, width, _ = self._asset(ref.name).size
         x, y = self.room.walls[wall.index].normal
-        for angle, half, other in ((90, depth, width), (270, depth, width), (0, width, depth), (180, width, depth)):
-            apart = stated("distance_constraint", ref, wall, round(half / 2 + low, 3), round(half / 2 + high, 3))
+        for angle, half, other in self._turns(ref):
+            apart = stated("distance_constraint", ref, wall, round(half + low, 3), round(half + high, 3))
             far = list[Relation]()
             for one in others if not self._is(ref.name, small.SLEPT_ON) else ():
                 u, v = self.room.walls[one.index].normal
                 deep = half if abs(x * u + y * v) > math.sqrt(0.5) else other
-                far.append(stated("distance_constraint", ref, one, round(deep / 2 + low, 3)))
-            yield (stated("align_with", ref, wall, float(angle)), apart, *far)
+                far.append(stated("distance_constraint", ref, one, round(deep + low, 3)))
+            yield (stated("align_with", ref, wall, angle), apart, *far)
+
+    def _turns(self, ref: AssetRef) -> Iterator[tuple[float, float, float]]:
+        """Yield degrees by which a thing is turned from a wall, and half of how deep it then is before it, and along it, in metres."""
+        depth, width, _ = self._asset(ref.name).size
+        for angle in (90.0, 270.0, 0.0, 180.0):
+            yield (angle, depth / 2, width / 2) if angle in (90.0, 270.0) else (angle, width / 2, depth / 2)

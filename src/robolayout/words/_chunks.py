@@ -372,7 +372,7 @@ class Chunker(ClosedWords):
             return "room", self.lexicon.room_words[phrase], None
         if phrase in self.grammar.functions:
             return "function", phrase, None
-        part = tail[-1] in small.AREA_NOUNS or tail[-1].removesuffix("s") in small.AREA_NOUNS
+        part = tail[-1].removesuffix("s") in small.AREA_NOUNS
         done = " ".join(tail[:-1]) if part else phrase.removesuffix("space")
         if done != phrase and done in small.DONE_THERE:
             return "corner", small.DONE_THERE[done], None

@@ -71,7 +71,7 @@ class NamedThing:
     def count(self) -> int:
         """How many are asked for: as said, else two for a plural, so many for each row that is told, else one; so many times over."""
         row = SEATED if self.rows > LONG and self.head in ("chair", "seat") else LONG
-        alone = {self.noun.kind, self.noun.said} & {*IN_PAIRS}
+        alone = {self.noun.kind, self.noun.said} & IN_PAIRS
         usual = max(2, row * self.rows) if self.plural and not alone else 1
         one = usual if self.number is None else self.number + (self.bound == "more")
         return one * self.times

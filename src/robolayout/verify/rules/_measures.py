@@ -55,9 +55,8 @@ def route_width(body: AgentReport) -> Measured | None:
         text = f"{worst.shown if width else 'no way'} to {worst.asset}{worst.sides and f', between {worst.sides}'}"
     else:
         width, text = entry, f"{entry:.2f} m just inside door 0"
-    pinches = _pinches(nav, narrow) if narrow else []
-    if entry < ADA.pinch - ADA.close:
-        pinches = None
+    tight_entry = entry < ADA.pinch - ADA.close
+    pinches = None if tight_entry else _pinches(nav, narrow) if narrow else []
     if pinches is None:
         return Measured(False, width, text)
     longest = max(*pinches, ADA.fine * len(tight), 0.0)
