@@ -96,7 +96,7 @@ def _wanted(reading: Reading, kind: str, usual: int, most: int) -> list[Wanted]:
         count = min(place.number or (2 if place.plural else 1), 8)
         for i, wall in enumerate(walls):  # "windows in the north and west walls"
             share = max(count * (i + 1) // len(walls) - count * i // len(walls), 1)
-            found.append(Wanted(share, wall, bool(large)))
+            found.append(Wanted(share * (place.number != 0), wall, bool(large)))
     objects = [place for link in reading.parsed.links for place in places(link.objects)]
     told = {(sides(o),): o for o in objects if o.name == kind and sides(o)}
     there = {word for wanted in found for word in wanted.wall.words}

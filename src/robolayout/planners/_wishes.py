@@ -47,6 +47,7 @@ APART = 0.25  # metres between things that lie on a rug or sit in a line
 LONGEST = 50.0  # metres of the longest thing that a room is furnished with
 ELBOWS = 0.6  # metres of a table's edge for who sits there
 AT_ONE = 8  # seats up to which "tables for six" is said of each of them
+ENDS = 2  # seats at the ends of a table, which stay free where all sit at its longer sides
 APART_AT_TABLE = 0.03  # metres between seats that are wider
 FOR_TWO = 0.8  # metres of a table for two
 IN_A_SHAPE = 6  # things in a circle, a half circle or a U of which no number is said
@@ -253,6 +254,8 @@ class RoomWishes:
             return depth, width, height
         name = thing.noun.said if "oval" in thing.noun.said else thing.noun.kind
         seats = math.ceil(_seats(thing, links)) or self._everyone(thing)
+        sided = {link.sided for link in links} - {""}
+        seats += ENDS if sided and "end" not in sided and not thing.square else 0
         told = {*thing.adjectives} & {*grammar().sizes}  # a long table for two stays long
         return size if told and seats <= 2 else self._seating(name, size, seats)
 
@@ -386,7 +389,7 @@ def _seats(thing: NamedThing, links: Sequence[Link]) -> float:
     """Return the seats that each of a thing is said to have: "for ten", "with six chairs", "ten chairs around it"."""
     if thing.people:
         return _promised(thing)
-    others = (one.thing for link in links if link.relation in ("with", "around") for one in link.subjects)
+    others = dict.fromkeys(one.thing for k in links if k.relation in ("with", "around") for one in k.subjects)
     return sum(other.count for other in others if other.noun.kind.endswith(SEATS)) / thing.count
 
 

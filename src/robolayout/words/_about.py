@@ -206,18 +206,18 @@ class About(References):
             return False
         if place is not None and {"back", "front", "rear"} & {*place.words}:
             return False  # of the room
-        square = "square" in (*tables[-1].adjectives, *tables[-1].noun.said.split())
         for seat in seats:
             if seat.per_side(chunk, place, own=seat.det == "a") and seat.thing not in self.dealt:
-                seat.thing.number = (4 if square else 2) * (seat.thing.number or 1)
+                seat.thing.number = (4 if tables[-1].square else 2) * (seat.thing.number or 1)
             elif place is not None and place.det == "all" and seat.thing.plural and seat.thing.number is None:
                 seat.thing.number = 4  # "chairs on all sides"
         self.acted = list(seats)
-        at = (k for k in self.said.links if k.relation in ("around", "oneside") and tables[-1] in named(k.objects))
-        one = chunk.value == "oneside" or (place is not None and place.number == 1 and not place.plural)
-        if seats[0].thing not in {link.subjects[0].thing for link in at}:
+        at = [k for k in self.said.links if k.relation in ("around", "oneside") and tables[-1] in named(k.objects)]
+        one = chunk.value in ("oneside", "end") or (place is not None and place.number == 1 and not place.plural)
+        if not any(m.thing is seats[0].thing and m.pick in (None, seats[0].pick) for k in at for m in k.subjects):
             how = "oneside" if one else "around"
-            self._link(Chunk("rel", chunk.start, chunk.end, how), seats, [Mention(tables[-1])])
+            told = chunk.adjectives if place is None else (*place.words, place.det, *["sides"] * place.plural)
+            self._link(Chunk("rel", chunk.start, chunk.end, how, adjectives=told), seats, [Mention(tables[-1])])
             self.targets.append(Mention(tables[-1]))
         return True
 
@@ -403,6 +403,9 @@ class About(References):
         of_it = previous.kind == "pron" and self.having and self.holder and not self.verb
         if of_it and [*self.said.last.objects] == self.holder:
             return list(self.holder)  # "a rug with a table on it in front of the sofa"
+        past = previous.kind == "comma" and self._ahead(-3).kind == "pron" and self._ahead().kind != "pron"
+        if past and self.holder and [*self.said.last.objects] == self.holder:
+            return list(self.holder)  # "a vanity with a mirror above it, opposite the door"
         if previous.kind == "pron" and not self.relative:
             return list(self.before or self.subject) if not self.group else list(self.group)
         if previous.kind == "comma" and self.holder and not self.acted and self._ahead().kind != "pron":

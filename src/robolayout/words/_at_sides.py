@@ -55,7 +55,12 @@ class AtSides(AtPlaces):
                 found |= {a: (side, gaps) for a, side in zip(seats, SIDES_OF_A_LOUNGE, strict=False)}
         return found
 
-    def _around_each(self, a: str, b: str) -> Demand:
+    def _around(self, it: Asked) -> Iterator[Demand]:
+        """At the sides of a table that are told, else somewhere around each."""
+        sided = it.sided and all(self._is(b, small.BEARING) for b in it.others)
+        yield from self._sided(it) if sided else (self._seat_around(a, b) for a, b in it.twos)
+
+    def _seat_around(self, a: str, b: str) -> Demand:
         """Near it and turned to it; several sofas each at a side of their table: in an L, a U or all round."""
         if self._is(b, small.WATCHED) and self._is(a, small.SEATS):
             return by_ways(ways_of.AROUND_WATCHED, a, b)
@@ -74,7 +79,7 @@ class AtSides(AtPlaces):
             yield from (single(stated("near", AssetRef(a), AssetRef(b), ways_of.BESIDE)) for a, b in it.twos)
             return
         (b,) = it.others
-        yield Demand(tuple(self._at_side(side, it.subjects, b) for side, _ in self._sides_of(b)))
+        yield Demand(tuple(self._at_side(side, it.subjects, b) for side, _ in self._sides_of(b, it.sided)))
 
     def _otherside(self, it: Asked) -> Iterator[Demand]:
         """On the other side of the first of some things than the rest of them."""
@@ -84,11 +89,24 @@ class AtSides(AtPlaces):
             tuple((*self._at_side(one, it.subjects, b), *self._at_side(other, there, b)) for one, other in sides)
         )
 
-    def _sides_of(self, b: str) -> Iterator[tuple[str, str]]:
-        """Yield each side of a thing with the one across, the longer ones first."""
+    def _sided(self, it: Asked) -> Iterator[Demand]:
+        """Half of the seats at one side of their table and half across, at the longer ones, at the ends, or either; one at each of four."""
+        for b in dict.fromkeys(b for _, b in it.twos):
+            seats, pairs = [a for a, to in it.twos if to == b], list(self._sides_of(b, it.sided))[::2]
+            deep, wide, _ = self._asset(b).size
+            all_four = wide == deep and len(seats) == len(SIDES_OF_A_LOUNGE)
+            sides = [[*pairs[0], *pairs[1]]] if all_four else [[*pair] for pair in pairs]
+            shares = [(way, -(-len(seats) // len(way))) for way in sides]
+            parts = ([(side, seats[i * many : (i + 1) * many]) for i, side in enumerate(way)] for way, many in shares)
+            yield Demand(tuple(tuple(r for side, part in way for r in self._at_side(side, part, b)) for way in parts))
+
+    def _sides_of(self, b: str, sided: str = "") -> Iterator[tuple[str, str]]:
+        """Yield each side of a thing with the one across, the longer ones first; only these, or the ends, if that is said."""
         depth, width, _ = self._asset(b).size
-        pairs = ("left_of", "right_of"), ("in_front_of", "behind")
-        for one, other in pairs if depth > width else pairs[::-1]:
+        pairs = [("left_of", "right_of"), ("in_front_of", "behind")][:: 1 if depth > width else -1]
+        if depth != width and sided in ("long", "end"):
+            pairs = pairs[:1] if sided == "long" else pairs[1:]
+        for one, other in pairs:
             yield from ((one, other), (other, one))
 
     def _at_side(

@@ -295,7 +295,8 @@ class Chunker(ClosedWords):
             not known
             or (word == "stands" and self._word(i + 1) in ("", *MARKS) and self.words[i - len(run) - 1] in ("a", "an"))
             or (word == "stands" and not many and self._begins_relation(i + 1) and told)
-            or (word in ("stand", "stands") and self._leads(i + 1))  # "before the plant stand two chairs"
+            # "before the plant stand two chairs"
+            or (word in ("stand", "stands") and article not in ("a", "an") and self._leads(i + 1))
             or (word == "stand" and (run[-1].endswith("s") or (mutual and self._begins_relation(i + 1))))
         )
 
@@ -320,7 +321,9 @@ class Chunker(ClosedWords):
                     owner = i + end - 1 in self.owners or kind not in ("thing", "part", "corner")
                     plural = not owner and _plural(tail[-3 if "of" in tail else -1], noun)
                     adjectives = (*run[:start], *heaped(self.words[at:i]))
-                    adjectives += tuple(tail[-1:]) if value == "side" and tail[-1] in small.HALVES else ()
+                    adjectives += (
+                        tuple(tail[-1:]) if value == "side" and tail[-1] in (*small.HALVES, "end", "ends") else ()
+                    )
                     end += after
                     return Chunk(kind, at, i + end, value, noun, det, number, bound, plural, adjectives, rows=rows)
             if end == len(run) and whole and (room := self.lexicon.room_like(run)):

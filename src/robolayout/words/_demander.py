@@ -92,7 +92,8 @@ class Demander(AtSides):
     def _asked(self, link: Link) -> Asked:
         """Return of which assets a link asks something."""
         subjects = [name for mention in link.subjects for name in self._named(mention)]
-        return Asked(subjects, [self._named(item) for item in mentions(link.objects)], places(link.objects))
+        others = [self._named(item) for item in mentions(link.objects)]
+        return Asked(subjects, others, places(link.objects), link.sided)
 
     def _named(self, mention: Mention) -> tuple[str, ...]:
         names = self.names.get(mention.thing, ())

@@ -115,6 +115,10 @@ class Parser(Relating):
         """Let so many of the things named last be what the relation there is about: "two at one wall and two at the other"."""
         each = bool({"each", "either"} & {*self.chunks[index].adjectives})  # "two lamps, one on each end"
         each = each or any(chunk.det == "each" for chunk in self.chunks[index + 1 : index + 2])
+        square = any(thing.square for thing in self.said.things if thing.sided)
+        at_sides = each and "flank" in {chunk.value for chunk in self.chunks[index : index + 1]}
+        at_sides = at_sides or (each and "side" in {chunk.value for chunk in self.chunks[index + 1 : index + 2]})
+        many = share * (4 if square else 2) if at_sides else share
         last = (self.group or self.before)[-1:]
         more = self.chunks[self.at - 2].kind == "and" and last == self.acted and last[:1] and last[0].pick is None
         told = (last[0].thing.number or int(last[0].thing.count == 1)) if more else 0
@@ -122,16 +126,16 @@ class Parser(Relating):
             k = self.said.links[-1]  # "two before it and one behind it", "a lamp on the left and one on the right"
             self.dealt[last[0].thing] = last[0].thing.number = told
             own = Mention(last[0].thing, slice(0, told))
-            apart = k.subjects == tuple(last) and k.relation != "around"
+            apart = k.subjects == tuple(last) and (k.relation != "around" or k.sided)
             self.said.links[-1] = replace(k, subjects=(own,)) if apart else k
-            last[0].thing.number += share * (2 if each else 1)
+            last[0].thing.number += many if at_sides else share * (2 if each else 1)
         first = self.dealt.get(last[0].thing, 0) if last else 0
         if not last or first + share > last[0].thing.count:
             return
         self._understood(self.chunks[self.at - 1])
         if share < last[0].thing.count:
-            self.dealt[last[0].thing] = first + share
-            pick = None if each else slice(first, first + share)
+            self.dealt[last[0].thing] = first + many
+            pick = slice(first, min(first + many, last[0].thing.count)) if at_sides or not each else None
             self.subject = self.group = self.acted = [Mention(last[0].thing, pick)]
 
     def _on_body(self, chunk: Chunk) -> None:
@@ -381,6 +385,10 @@ class Parser(Relating):
 
     def _on_opening(self, chunk: Chunk) -> None:
         """A door or window: it is asked for where a wall is told, or a number, or "a"."""
+        if self.refusing and chunk.value == "window":  # "a bedroom with no windows"
+            self._understood(self._ahead(-2))
+            self.said.openings.append((replace(place_of(chunk), number=0), (chunk.start, chunk.end)))
+            return
         at = self.fronted[1][:1] if self.fronted is not None and not self.group else []
         wall = self._opening_wall() or place_in(at, "wall") or Place("wall", sides(chunk))
         if wall.words or wall.by or self.holder or chunk.number or chunk.det == "a":

@@ -136,6 +136,7 @@ class Asked:
     subjects: Sequence[str]  # what stands so
     groups: Sequence[Sequence[str]] = ()  # what it stands to, by the thing that was named
     places: Sequence[Place] = ()  # the places of the room to which it leads
+    sided: str = ""  # at which sides of a table: "each", "long" or "end", if that is said
 
     @property
     def place(self) -> Place | None:

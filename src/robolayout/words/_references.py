@@ -187,7 +187,8 @@ class References(Spoken):
         return max(self._number_of(item) - max(item.thing.rows, *rows, 1), 1)
 
     def _on_both_sides(self, chunk: Chunk, subjects: Sequence[Mention], objects: Sequence[Item]) -> Chunk:
-        """Count what stands at each side of something; return the relation, which is "around" for several seats."""
+        """Count what stands at each side of something; return the relation, which is "around" for several seats at a table."""
+        tables = [to.thing for to in mentions(objects) or self.holder if to.thing.sided]
         each = (
             self.having and self.holder
         ) or "each" in chunk.adjectives  # "a sofa and a chair on either side of it" are one each
@@ -196,10 +197,11 @@ class References(Spoken):
             own = not objects and mention.det == "a"
             if not mention.per_side(chunk, own=own) or thing in self.dealt:
                 continue
-            thing.number = 2 * (thing.number or 1)
+            square = bool(tables) and tables[0].square and "side" in chunk.adjectives
+            thing.number = (4 if square else 2) * (thing.number or 1)
             around = [to for to in mentions(objects[:1]) if to.det in ("each", "all")]
             thing.times = around[0].thing.count if around else thing.times if own else 1
-        several = all(mention.at_a_table and (mention.thing.number or 0) > 2 for mention in subjects)
+        several = bool(tables) and all(mention.at_a_table and mention.several for mention in subjects)
         return replace(chunk, value="around") if several else chunk
 
     def _at_middle(self, chunk: Chunk, subjects: Sequence[Mention], objects: Sequence[Item]) -> Sequence[Item]:
@@ -224,8 +226,9 @@ class References(Spoken):
         last = self.said.last
         if relation == "above" and last.relation in ("abreast", "row") and last.start >= self.began:
             return [m for m in last.subjects if m.thing not in named(self.about)]  # "side by side, shelves above"
-        if self.holder or relation not in ("left", "right"):
-            return self.holder or self._meant("it", relation)
+        if self.holder or relation not in ("left", "right"):  # "a side table within reach and a lamp behind"
+            same = self.led if not named(self.led) & named(self.about) else []
+            return self.holder or same or self._meant("it", relation)
         side, of = self.contrast
         alone = named(self.recent) <= named(self.about)
         if not (side == relation and of) and alone and len(self.before) == 1 and not self.before[0].several:
@@ -276,7 +279,7 @@ class References(Spoken):
                 owned = isinstance(item, Mention) and item.thing is mention.thing
                 dealt = mention.thing in self.dealt or mention.pick is not None  # "two lamps, one in each corner"
                 if mention.thing.times == 1 and not owned and not dealt:
-                    mention.thing.times = count * (2 if chunk.value == "flank" and mention.thing.number == 1 else 1)
+                    mention.thing.times = count * (2 if mention.per_side(chunk) else 1)
         lined = places(objects, "wall") if chunk.value in ("wall", "on") else []
         several = not {"line", "lines", "lined", "lining"}.isdisjoint(chunk.adjectives)  # not "along the walls"
         walls = next((to.number or 2 * (to.plural and several) for to in lined if to.det != "all"), 0)
@@ -293,17 +296,18 @@ class References(Spoken):
         """Note a relation; what stands at each of several things is as many times there."""
         self.about = list(subjects)
         led = objects or (self._led_back(chunk.value) if chunk.value in small.LED_BACK else [])
-        itself = any(a.thing is b.thing and a.pick in (None, b.pick) for a in subjects for b in mentions(led))
-        if itself or (chunk.value in ("above", "behind", "opposite") and not led):
+        there = [
+            (b.thing, b.pick) for b in mentions(led)
+        ]  # "a stool and a stand 1 m from the stool" is about the stand
+        others = [a for a in subjects if not any(a.thing is b and a.pick in (None, pick) for b, pick in there)]
+        if (subjects and not others) or (chunk.value in ("above", "behind", "opposite") and not led):
             return  # nothing stands at itself, or behind nothing
+        subjects, self.led = others, self.led if objects else mentions(led)
         if chunk.value == "rows" and not chunk.rows and all(m.several and m.thing.number is None for m in subjects):
             for mention in subjects:  # "a library with bookshelves in rows": however many rows these are
                 mention.thing.rows = mention.thing.rows or ROWS
         subjects = self._counted(chunk, subjects, objects)
-        if chunk.value == "flank":
-            chunk = self._on_both_sides(chunk, subjects, objects)
-        if chunk.value in ("left", "right") and place_in(led[:1], "side"):
-            chunk = replace(chunk, value="in")  # a half of the room
+        chunk = self._at_a_side(chunk, subjects, objects, led)
         objects = self._at_middle(chunk, subjects, led)
         if objects:  # "a bed with a lamp on either side": the lamps are not on the bed
             own, to = named(subjects), named(objects)
@@ -315,11 +319,27 @@ class References(Spoken):
         for row in [k for k in self.said.links if lines and k.relation == "row" and k.subjects == about[0]]:
             self.said.links.remove(row)  # "lined up along two opposite walls": no one line
             self.said.read.update(range(row.start, row.end))
-        self.said.links.append(Link(chunk.value, *about, chunk.start, chunk.end, (low, high), chunk.rows))
+        told = (*about, chunk.start, chunk.end, (low, high), chunk.rows)
+        self.said.links.append(Link(chunk.value, *told, _sided(chunk)))
+        if self.gap is not None and chunk.value in ("above", "under"):
+            self.said.missed.append(self.gap)  # heights are not told
+            self.gap = None
         if self.gap is not None and self.gap.measure is not None:  # "40 cm in front of the sofa"
             low = self.gap.measure.values[0]
             self.said.links.append(Link("apart", *about, self.gap.start, chunk.end, (low, low + APART)))
         self.gap = None
+
+    def _at_a_side(
+        self, chunk: Chunk, subjects: Sequence[Mention], objects: Sequence[Item], led: Sequence[Item]
+    ) -> Chunk:
+        """Return a relation to a side as it is meant: of seats at both sides or at an end of a table, or to a half of the room."""
+        if chunk.value == "flank":
+            return self._on_both_sides(chunk, subjects, objects)
+        table = next((m.thing for m in mentions(led[:1]) if m.thing.sided), None)
+        if chunk.value == "end" and table is not None and all(m.sat_on for m in subjects):
+            return replace(chunk, value="oneside", adjectives=("end",))
+        half = chunk.value in ("left", "right") and place_in(led[:1], "side")
+        return replace(chunk, value="in") if half else chunk
 
     def _plain_pair(self, found: Sequence[Item], chunk: Chunk) -> bool:
         """Return whether "and the ..." goes on with the same relation."""
@@ -338,3 +358,12 @@ class References(Spoken):
         else:
             meant = part or chunk.value != "by"
         return meant and (kinds[2:] or ["stop"])[0] in ends
+
+
+def _sided(chunk: Chunk) -> str:
+    """Return at which sides of a table seats are: "four chairs on each long side", "one at each end", "a bench on one long side"."""
+    words = {*chunk.adjectives}
+    each = not words.isdisjoint(("each", "either", "both", "opposite", "opposing", "sides", "ends"))
+    if not (chunk.value == "oneside" or (chunk.value == "around" and each)) or "all" in words:
+        return ""
+    return "end" if {"end", "ends", "short", "head"} & words else "long" if "long" in words else "each" * each

@@ -40,6 +40,8 @@ class Relating(About):
         self.said.facts.append(chunk)
         if chunk.kind in ("room", "corner"):
             self._new_zone(chunk)
+        if "windowless" in chunk.adjectives:
+            self.said.openings.append((Place("window", number=0), (chunk.start, chunk.end)))
         for mention in self.subject or self.group if chunk.kind == "style" and self.verb else ():
             mention.thing.told.append(chunk.value)  # "the bed is brown"
         if chunk.measure is not None and chunk.measure.kind == "grid" and self.group:
@@ -63,7 +65,10 @@ class Relating(About):
             self.holder = [self.target]  # "facing a television with speakers"
         elif self.group:
             clause = who.kind == "comma" and self.acted and len(self.subject) == 1
-            self.holder = [self.subject[0] if clause else self.group[-1]]
+            last = self.said.last
+            around = last.relation == "around" and who.kind == "comma" and last.start >= self.began
+            self.holder = mentions(last.objects)[:1] if around else []  # "a table, a chair at each end, with a vase"
+            self.holder = self.holder or [self.subject[0] if clause else self.group[-1]]
         self.having = True
         self.verb = self.listed = False
         head = self.holder[0] if self.holder else None
@@ -215,7 +220,7 @@ class Relating(About):
         if chunk.value == "on" and at_a_side and mentions(objects):  # "on all four sides of the table"
             chunk = replace(chunk, value="around" if all(one.sat_on for one in subjects) else "next")
         place = place_in(objects[:1])
-        sides = place.name == "side" if place else chunk.value in ("flank", "oneside") and not objects
+        sides = place.name == "side" if place else chunk.value in ("flank", "oneside", "end") and not objects
         last = self.said.last
         if self._said_again(chunk, subjects, objects) or (sides and self._at_sides(chunk, subjects, place)):
             self._understood(chunk)

@@ -76,6 +76,16 @@ class NamedThing:
         one = usual if self.number is None else self.number + (self.bound == "more")
         return one * self.times
 
+    @property
+    def sided(self) -> bool:
+        """Whether it is a table with people on each side of it."""
+        return self.head in ("table", "island") and not self.noun.kind.endswith(tuple(small.LOW_TABLES))
+
+    @property
+    def square(self) -> bool:
+        """Whether it is said to be square."""
+        return "square" in (*self.adjectives, *self.noun.said.split())
+
     def same(self, chunk: Chunk) -> bool:
         """Return whether a noun phrase may mean this thing, which was named before."""
         if chunk.noun is None:
@@ -149,6 +159,7 @@ class Mention:
         """
         each = place.det == "each" if place else "each" in chunk.adjectives
         one = self.thing.number == 1 and chunk.value == "flank"
+        each = each or ("either" in chunk.adjectives and (self.thing.number or 0) > 2)
         told = one or (each and self.at_a_table and self.thing.number is not None)
         return told and (self.thing.times == 1 or own) and self.pick is None
 
@@ -198,6 +209,7 @@ class Link:
     # least and most metres that lie between, where that is said
     metres: tuple[float, float] = (0.0, 0.0)
     rows: int = 0  # rows or columns that are said, 0 if none are
+    sided: str = ""  # at which sides of a table seats are in equal shares: "each", "long" or "end", if that is said
 
     def had(self, own: Set[NamedThing], to: Set[NamedThing] | None) -> bool:
         """Return whether it only says that one of some things has a thing (any, for None)."""

@@ -106,6 +106,7 @@ class Spoken:
         self.holder: list[Mention] = []
         self.fronted: tuple[Chunk, list[Item]] | None = None
         self.also: tuple[Chunk, list[Item]] | None = None  # "in the corner nearest the window stands a lamp"
+        self.led: list[Mention] = []  # what a relation led back to
         self.refusing = self.negated = self.empty = self.verb = False
         self.relative = self.having = self.listed = False
         self.recent: list[Mention] = []

@@ -50,7 +50,9 @@ _LENGTH = re.compile(rf"{_N}[\s-]*(?:({_LENGTHS}|in(?={_HOW}|{_FLAT}))(?:{_HOW}|
 _APART = re.compile(
     rf"(?:\b(?:(at least|no less than|more than|(?:no|not|none)(?: of them)? (?:closer|nearer) than)"
     r"|(at most|no more than|up to|less than|within))\s+)?"
-    rf"{_N}{_U}\s*(?:apart|(?:away )?from|of|to|(?:of )?(?:(?:free|clear|empty) )?(?:space |distance |gap |passage |clearance )?between)\b",
+    rf"(?:(?:between\s+)?{_N}{_U}\s*(?:to|and|-|\u2013)\s*)?"
+    rf"{_N}{_U}\s*(?:apart|from (?:each other|one another)|(?:away )?from|off|of|to|"
+    rf"(?:of )?(?:(?:free|clear|empty) )?(?:space |distance |gap |passage |clearance )?between)\b",
     re.IGNORECASE,
 )
 Size = tuple[float, float, float]
@@ -215,12 +217,13 @@ def _length(match: re.Match[str]) -> Said:
 
 
 def _gap(match: re.Match[str]) -> Said:
-    least, most, number, unit = match.groups()
+    least, most, first, own, number, unit = match.groups()
     closer = bool(least) and least.lower().startswith("no") and " than" in least and "less" not in least
     if not unit or (not most and match.group().endswith("of")) or closer != match.group().endswith("to"):
         return None
     gap = round(metres(number, unit), 2)
-    bounds = (0.0 if most else gap, math.inf if least else gap if most else gap + APART)
+    low = round(metres(first, own, unit), 2) if first else 0.0 if most else gap
+    bounds = (low, math.inf if least else gap if most or first else gap + APART)
     return "between" if match.group().endswith("between") else "apart", bounds
 
 

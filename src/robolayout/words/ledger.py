@@ -225,12 +225,12 @@ class _RowMaker:
                 yield Unjudged(words, "attribute", why, lambda room: met(False, "a thing has one of these"))
 
     def _opening(self, place: Place, words: str) -> Unjudged:
-        wanted = place.number or (2 if place.plural else 1)
+        wanted = place.number if place.number is not None else 2 if place.plural else 1
 
         def judge(room: Furnished) -> Finding:
             walls = {wall.index for wall in walls_meant(room.scene.room, place)}
             there = sum(opening.wall in walls for opening in openings(room.scene.room, place.name))
-            return met(there == wanted if place.number else there >= wanted, f"{there} there")
+            return met(there == wanted if place.number is not None else there >= wanted, f"{there} there")
 
         return Unjudged(words, "opening", f"{wanted} {as_row.shown(place)}", judge)
 
