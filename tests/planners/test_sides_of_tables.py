@@ -133,3 +133,10 @@ def test_metres_of_height_are_given_back() -> None:
     scene, _ = rl.scene_from_sentence("a living room with a lamp hanging 1 m above the coffee table")
     rows = [(row.kind, row.words) for row in read_words(scene).rows]
     assert ("not understood", "1 m") in rows and ("relation", "lamp above coffee table") in rows
+
+
+def test_what_is_had_after_a_comma_and_stands_elsewhere_is_not_at_what_has_it() -> None:
+    scene, _ = rl.scene_from_sentence("a bathroom where the toilet is by the wall, with a double vanity opposite the shower")
+    relations = [row.understanding for row in read_words(scene).rows if row.kind == "relation"]
+    assert any("bathroom_vanity-0, shower-0" in said for said in relations)
+    assert not any("bathroom_vanity-0, toilet-0" in said for said in relations)

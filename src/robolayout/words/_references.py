@@ -311,7 +311,7 @@ class References(Spoken):
         objects = self._at_middle(chunk, subjects, led)
         if objects:  # "a bed with a lamp on either side": the lamps are not on the bed
             own, to = named(subjects), named(objects)
-            elsewhere = chunk.value in ("on", "flank")
+            elsewhere = chunk.value in ("on", "flank") or self.aside
             self.said.links[:] = [k for k in self.said.links if not k.had(own, None if elsewhere else to)]
         low, high = chunk.measure.values if chunk.measure else (0.0, 0.0)
         about = (tuple(subjects), tuple(objects))

@@ -69,7 +69,7 @@ class Relating(About):
             around = last.relation == "around" and who.kind == "comma" and last.start >= self.began
             self.holder = mentions(last.objects)[:1] if around else []  # "a table, a chair at each end, with a vase"
             self.holder = self.holder or [self.subject[0] if clause else self.group[-1]]
-        self.having = True
+        self.having, self.aside = True, who.kind == "comma"
         self.verb = self.listed = False
         head = self.holder[0] if self.holder else None
         if head is not None and head.det in ("each", "both", "all", *small.SHARES) and head.thing.count > 1:
