@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -36,26 +37,15 @@ class Forms:
         self.scene = scene
         self.wants = wants
         self.corridor = corridor
-        self._bodies: dict[Cluster, list[tuple[Points, float]]] = {}
-        self._strips: dict[Cluster, list[Strip]] = {}
+        self.bodies = cache(self._filled)
+        self.strips = cache(self._wanted)
 
     def on_floor(self, member: Member) -> bool:
         """Whether a member takes floor space."""
         return member.bottom < 0.01 and not self.scene.by_name[member.name].is_flat
 
-    def bodies(self, cluster: Cluster) -> list[tuple[Points, float]]:
-        """Return the footprint points and area of every floor member, in the cluster's frame."""
-        if cluster not in self._bodies:
-            self._bodies[cluster] = self._filled(cluster)
-        return self._bodies[cluster]
-
-    def strips(self, cluster: Cluster) -> list[Strip]:
-        """Return the strips that the floor members want clear, less what the cluster itself fills."""
-        if cluster not in self._strips:
-            self._strips[cluster] = self._wanted(cluster)
-        return self._strips[cluster]
-
     def _filled(self, cluster: Cluster) -> list[tuple[Points, float]]:
+        """Return the footprint points and area of every floor member, in the cluster's frame."""
         found: list[tuple[Points, float]] = []
         for member in cluster.members:
             if self.on_floor(member):
@@ -66,6 +56,7 @@ class Forms:
         return found
 
     def _wanted(self, cluster: Cluster) -> list[Strip]:
+        """Return the strips that the floor members want clear, less what the cluster itself fills."""
         boxes = [box_of(m, self.scene.by_name[m.name].size) for m in cluster.members if self.on_floor(m)]
         found: list[Strip] = []
         for member in cluster.members:
