@@ -7,15 +7,12 @@ from robolayout.floor.cells import Cells as Cells
 from robolayout.floor.cells import cell_size as cell_size
 from robolayout.floor.cells import turning_radius as turning_radius
 from robolayout.floor.config import FLOOR as FLOOR
-from robolayout.floor.config import FloorConfig as FloorConfig
 from robolayout.floor.furnished import Floor as Floor
 from robolayout.floor.furnished import Points as Points
 from robolayout.floor.furnished import Shadow as Shadow
 from robolayout.floor.furnished import placed as placed
 from robolayout.floor.furnished import rect_points as rect_points
-from robolayout.floor.goals import missed as missed
 from robolayout.floor.ground import Ground as Ground
-from robolayout.floor.ground import clearance as clearance
 from robolayout.floor.ground import make_ground as make_ground
 from robolayout.floor.routes import RoutePlan as RoutePlan
 from robolayout.floor.routes import plan_routes as plan_routes
@@ -24,7 +21,6 @@ from robolayout.floor.standing import standing as standing
 from robolayout.floor.standing import use_cells as use_cells
 from robolayout.floor.targets import SIDES as SIDES
 from robolayout.floor.targets import RoomContents as RoomContents
-from robolayout.floor.targets import Targets as Targets
 from robolayout.floor.targets import targets_of as targets_of
 from robolayout.floor.walked import Blocks as Blocks
 from robolayout.floor.walked import Walked as Walked

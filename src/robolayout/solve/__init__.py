@@ -7,7 +7,6 @@ from robolayout.solve.config import Effort as Effort
 from robolayout.solve.config import SearchConfig as SearchConfig
 from robolayout.solve.config import SolverConfig as SolverConfig
 from robolayout.solve.config import Weights as Weights
-from robolayout.solve.dress import Dressed as Dressed
 from robolayout.solve.dress import dress as dress
 from robolayout.solve.profiles import PAPER as PAPER
 from robolayout.solve.profiles import UNREFINED as UNREFINED
