@@ -60,13 +60,8 @@ class Zones:
         (hx, hy), reach = self._half[index].T, self._reach[index]
         around = _bounds(poses[:, :2], poses[:, 2:], hx + reach, hy + reach)
         around[..., 2:] = np.where((reach > 0)[..., None], around[..., 2:], around[..., :2])
-        return np.where(self._ahead_only[index][..., None], self._before(slots, poses, reach), around)
-
-    def _before(self, slots: ArrayLike, poses: Floats, depth: Floats | float) -> Rects:
-        """Return the bounds of rectangles of some depth (m,) in front of slots (m,), as wide as these."""
-        hx, hy = self._half[np.asarray(slots, dtype=np.intp)].T
-        middle = poses[:, :2] + np.asarray(hx + depth / 2)[..., None] * poses[:, 2:]
-        return _bounds(middle, poses[:, 2:], depth / 2, hy)
+        middle = poses[:, :2] + np.asarray(hx + reach / 2)[..., None] * poses[:, 2:]
+        return np.where(self._ahead_only[index][..., None], _bounds(middle, poses[:, 2:], reach / 2, hy), around)
 
 
 def _bounds(center: Floats, heading: Floats, hx: Floats | float, hy: Floats | float) -> Rects:
