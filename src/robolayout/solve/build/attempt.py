@@ -50,10 +50,7 @@ class Costs:
     tight: float = 1.2
     ragged: float = 1.0
     """Cost of a grid whose neighbours touch, and of each place that its last row leaves empty."""
-    much: float = 10.0
-    bearable: float = 16.0
-    parting: float = 1.0
-    """Cost of a place above which a cluster rather comes apart: if that is not so much worse, and whatever it is like."""
+    much: float = 10.0  # cost of a place above which a cluster rather comes apart
     stray: float = 2.0
     """Cost of each thing that is left over from its grid; rows are worth more than each thing's own best place."""
     shuffle: float = 0.35  # standard deviation of the turns of kinds from one attempt to the next, in places
@@ -101,7 +98,6 @@ class BuildPass:
         self.missed = set[str]()  # what stands where it misses what is said of it
         self.site = site
         self.rng = np.random.default_rng((seed, number))
-        self.together = number == 0  # whether clusters stay whole where their parts would stand worse
         self.calm = seed == number == 0  # whether it follows the wishes to the letter
         self.noise = 0.0 if self.calm else COSTS.noise
         self.steps: list[_Step] = []
@@ -270,23 +266,26 @@ class BuildPass:
         """Put a cluster at its best place; with a limit only if that place is no worse than it."""
         ranked = self._ranked(batches(self.site, cluster, modes), weights, modes)
         if not ranked:
-            return False if limit is not None else self._anywhere(cluster)
+            pose = np.array([*self.site.floor.middle, 0.0])  # the solver has to see
+            nowhere = _Step(lambda site: site.put(cluster, pose, "middle"), COSTS.nowhere)
+            return limit is None and self._do(nowhere)
         before = self.lost
         cost, batch, row = self._choose(ranked)
         if limit is not None and cost > limit:
             self.lost = before
             return False
         dear = cost > COSTS.much and limit is None
-        whole = self.together and len(self.lost) <= len(before) and cost <= COSTS.bearable
-        split = partial(self._better_split, cost=cost) if whole else self._split
-        if dear and len(cluster.members) > 1 and split(cluster, modes, weights):
+        if dear and len(cluster.members) > 1 and self._split(cluster, modes, weights):
             return True
         if dear and "middle" not in modes:
             self.lost = before
             return self._place(cluster, {**modes, "middle": MISSED}, weights)
         if self.site.missed(batch.cluster.members, batch.poses[[row]])[0] >= MISSED:
             self.missed.add(cluster.anchor)
-        step = _Step(partial(_put, batch=batch, row=row), cost, cluster, modes, weights)
+        return self._do(_Step(partial(_put, batch=batch, row=row), cost, cluster, modes, weights))
+
+    def _do(self, step: _Step) -> bool:
+        """Do a step, which may be done again on other sites."""
         step.put(self.site)
         self.steps.append(step)
         return True
@@ -330,17 +329,6 @@ class BuildPass:
         self.lost = left.get(chosen[0], self.lost)
         return chosen
 
-    def _better_split(self, cluster: Cluster, modes: Modes, weights: Mapping[str, float], cost: float) -> bool:
-        """Split a cluster whose best place costs so much, unless its parts come to stand worse."""
-        site, done, lost, missed = self.site.copy(), len(self.steps), self.lost, set(self.missed)
-        if not self._split(cluster, modes, weights):
-            return False
-        if sum(step.cost for step in self.steps[done:]) <= cost + COSTS.parting:
-            return True
-        self.site, self.lost, self.missed = site, lost, missed
-        del self.steps[done:]
-        return False
-
     def _split(self, cluster: Cluster, modes: Modes, weights: Mapping[str, float]) -> bool:
         """Place a cluster that fits nowhere as a whole: some floor things that can stand alone are placed on their own."""
         loose = [m for m in cluster.members[1:] if self._stands_alone(m.name)]
@@ -379,13 +367,6 @@ class BuildPass:
         item = self.site.wants[name]
         return item.loose and item.asset.on_floor
 
-    def _anywhere(self, cluster: Cluster) -> bool:
-        """Put a cluster for which no place was found into the middle; the solver has to see."""
-        pose = np.array([*self.site.floor.middle, 0.0])
-        self.steps.append(_Step(lambda site: site.put(cluster, pose, "middle"), COSTS.nowhere))
-        self.steps[-1].put(self.site)
-        return True
-
     def _place_grid(self, clusters: Sequence[Cluster], weights: Mapping[str, float], strays: int) -> bool:
         """Put equal clusters into their best grid, so many others being left; False if none is good."""
         few: list[GridChoice] = []
@@ -423,9 +404,7 @@ class BuildPass:
         if best is None:
             return False
         put = partial(put_grid, clusters=clusters, plan=best[1], frame=best[2].poses[best[3]])
-        self.steps.append(_Step(put, best[0] * len(clusters) ** 0.5 + COSTS.stray * strays))
-        put(self.site)
-        return True
+        return self._do(_Step(put, best[0] * len(clusters) ** 0.5 + COSTS.stray * strays))
 
     def _best_grid(self, clusters: Sequence[Cluster], ranked: Sequence[GridChoice], limit: float) -> GridChoice | None:
         """Return the best place of a grid, with what it costs in all; None if all cost more than a limit."""
