@@ -17,7 +17,7 @@ from robolayout.solve.build.form import corners_of
 from robolayout.solve.build.member import Member
 from robolayout.solve.build.places import WALL_GAP, targets, wall_yaw
 from robolayout.solve.build.site import Site, Spot
-from robolayout.solve.build.taste import nearness
+from robolayout.solve.build.taste import wished
 
 
 @dataclass(frozen=True)
@@ -30,10 +30,6 @@ class Hanging:
     clear_above: float = 0.12  # metres between a piece of furniture and what hangs over it
     work_above: float = 0.2
     """Metres between a top to work at and what is opened over it at the least; 0.5 is usual where everybody reaches that."""
-    making_way: int = 3
-    places: int = 6
-    apart_by: float = 0.25
-    """Hung things that are asked to make way for another, places that are tried for it each time, and metres between these."""
     covered: float = 80.0
     """Cost of hanging where another thing already is; more than of all that a body may miss together."""
     out_of_reach: float = 10.0
@@ -53,56 +49,15 @@ HANGING = Hanging()
 
 
 def hang(site: Site, name: str, rng: np.random.Generator) -> None:
-    """Hang a thing where a wall is free: over what it belongs to, else where there is most room around it.
-
-    Where that is out of reach, another hung thing makes way if both hang within reach then.
-    """
-    places = _hung_places(site, name, rng)
-    if not places or (places[0][0] >= HANGING.out_of_reach and site.standings and _with_another(site, name, rng)):
+    """Hang a thing where a wall is free: over what it belongs to, else where there is most room around it."""
+    places = [_hang_cost(site, name, wall, t) for wall in site.room.walls for t in _hang_offsets(site, name, wall)]
+    if not places:
         return
-    spot = places[0][1]
+    _, spot = min(places, key=lambda place: place[0] + 0.2 * float(rng.random()))
     site.settle(name, spot)
     if site.standings and _juts_out(site, spot.member) > 0:
         site.floor.take(site.floor.shadow(corners_of(spot.member, site.size(name))))
         site.survey()
-
-
-def _hung_places(site: Site, name: str, rng: np.random.Generator) -> list[tuple[float, Spot]]:
-    """Return the places to hang a thing with their costs, best first."""
-    found: list[tuple[float, float, Spot]] = []
-    for wall in site.room.walls:
-        for t in _hang_offsets(site, name, wall):
-            cost, spot = _hang_cost(site, name, wall, t)
-            found.append((cost + 0.2 * float(rng.random()), cost, spot))
-    return [(cost, spot) for _, cost, spot in sorted(found, key=lambda entry: entry[0])]
-
-
-def _with_another(site: Site, name: str, rng: np.random.Generator) -> bool:
-    """Hang a thing together with another that hangs already and makes way for it, both within reach; False if none does."""
-    hung = [n for n, s in site.spots.items() if s.mode == "hang" and n in site.late]
-    for other in [n for n in hung if site.size(n)[0] <= HANGING.thin][: HANGING.making_way]:
-        before = site.spots[other]
-        site.lift(other)
-        tried: list[Spot] = []
-        for cost, spot in _hung_places(site, name, rng):
-            if cost >= HANGING.out_of_reach or len(tried) == HANGING.places:
-                break
-            if any(_near(spot, known) for known in tried):
-                continue
-            tried.append(spot)
-            site.settle(name, spot)
-            places = _hung_places(site, other, rng)
-            if places and places[0][0] < HANGING.out_of_reach:
-                site.settle(other, places[0][1])
-                return True
-            site.lift(name)
-        site.settle(other, before)
-    return False
-
-
-def _near(spot: Spot, other: Spot) -> bool:
-    """Whether two places are all but the same."""
-    return math.dist((spot.member.x, spot.member.y), (other.member.x, other.member.y)) < HANGING.apart_by
 
 
 def _hang_offsets(site: Site, name: str, wall: Wall) -> list[float]:
@@ -170,10 +125,7 @@ def _hang_cost(site: Site, name: str, wall: Wall, t: float) -> tuple[float, Spot
     cost += _crowding(site, name, member) + _sight(site, name, member) + _far(site, name, member)
     cost += HANGING.crowded * _used_room(site, name, member)
     cost += float(site.missed([Member(name)], np.array([[member.x, member.y, member.yaw]]))[0])
-    for names, weight in want.near:
-        cost += weight * float(nearness(site, np.array([[member.x, member.y]]), names, far=weight < 0)[0])
-    if want.weights.get("by_door"):
-        cost += want.weights["by_door"] * _to_door(site, member)
+    cost += float(wished(site, name, np.array([[member.x, member.y]]), want.weights)[0])
     return cost, Spot(member, "hang", wall.index, owner)
 
 
@@ -237,13 +189,6 @@ def _far(site: Site, name: str, member: Member) -> float:
     if not site.standings:
         return 0.0
     return 10.0 * (not site.serves(site.claim(Spot(member, "hang"))))
-
-
-def _to_door(site: Site, member: Member) -> float:
-    """Return how far the nearest door is, as a share of the room."""
-    points = [site.room.walls[d.wall].point(d.center) for d in site.room.doors]
-    away = [math.dist(point, (member.x, member.y)) for point in points]
-    return min(away) / math.sqrt(site.room.area) if away else 0.0
 
 
 def _sight(site: Site, name: str, member: Member) -> float:

@@ -273,8 +273,6 @@ class Site:
         """
         x, y, yaw = (float(value) for value in pose)
         members = [m for m in cluster.members if self.on_floor(m)]
-        if not members:
-            return ""
         corners = np.array([corners_of(m.moved(x, y, yaw), _grown(self.size(m.name))) for m in members])
         bodies = np.asarray(shapely.polygons(corners))
         if not shapely.covers(_walls_of(self.room), bodies).all():
@@ -330,11 +328,6 @@ class Site:
                 self.floor.take(claim.shadow)
             if not self.trial:
                 self._record(name, spot)
-
-    def lift(self, name: str) -> None:
-        """Take away what hangs and takes no floor."""
-        del self.spots[name], self.claims[name]
-        self.spans = [span for span in self.spans if span.name != name]
 
     def _record(self, name: str, spot: Spot) -> None:
         """Record exactly what one asset fills and what it covers of the walls."""

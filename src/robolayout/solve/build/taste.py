@@ -32,11 +32,14 @@ LOW = 0.65
 
 def taste(site: Site, batch: Places, weights: Mapping[str, float]) -> Cost:
     """Return the cost (n,) of a batch of places for the wishes of its anchor."""
-    cost = np.zeros(len(batch.poses))
-    if batch.mode in ("wall", "corner"):
-        cost += _along_walls(site, batch, weights)
-    spread = math.sqrt(site.room.area)
-    xy = batch.poses[:, :2]
+    name = batch.cluster.anchor
+    cost = wished(site, name, batch.poses[:, :2], weights) + _facing(site, name, batch.poses)
+    return cost + _along_walls(site, batch, weights) if batch.mode in ("wall", "corner") else cost
+
+
+def wished(site: Site, name: str, xy: NDArray[np.float64], weights: Mapping[str, float]) -> Cost:
+    """Return the cost (n,) of places (n, 2) of a thing by how near it wishes to be to doors, corners, windows, others and the middle."""
+    cost, spread = np.zeros(len(xy)), math.sqrt(site.room.area)
     if weights.get("by_door") and site.room.doors:
         away = np.min([np.hypot(xy[:, 0] - d.x, xy[:, 1] - d.y) for d in doorways(site.scene)], axis=0) / spread
         weight = weights["by_door"]
@@ -44,12 +47,12 @@ def taste(site: Site, batch: Places, weights: Mapping[str, float]) -> Cost:
     if weights.get("middle"):
         x, y = site.floor.middle
         cost += weights["middle"] * np.hypot(xy[:, 0] - x, xy[:, 1] - y) / spread
-    for one, weight in site.wants[batch.cluster.anchor].numbered:
+    for one, weight in site.wants[name].numbered:
         for x, y in _where(site.room, one):
             cost += weight * np.hypot(xy[:, 0] - x, xy[:, 1] - y) / spread
-    for names, weight in site.wants[batch.cluster.anchor].near:
-        cost += weight * nearness(site, xy, names, far=weight < 0)
-    return cost + _facing(site, batch.cluster.anchor, batch.poses)
+    for names, weight in site.wants[name].near:
+        cost += weight * _nearness(site, xy, names, far=weight < 0)
+    return cost
 
 
 def _where(room: Room, one: Corner | AtWindow) -> Iterator[tuple[float, float]]:
@@ -113,7 +116,7 @@ def _loose_ends(site: Site, batch: Places, width: float) -> Cost:
     return 1.0 - np.mean([taken[site.floor.under(side, batch.poses)][:, 0] for side in sides], axis=0)
 
 
-def nearness(site: Site, xy: NDArray[np.float64], names: Sequence[str], *, far: bool = False) -> Cost:
+def _nearness(site: Site, xy: NDArray[np.float64], names: Sequence[str], *, far: bool = False) -> Cost:
     """Return the distance to the nearest of some things as a share of the room, or how much it lacks to be `far`, below 0."""
     there = [site.spots[name].member for name in names if name in site.spots]
     if not there:
