@@ -1,4 +1,4 @@
-"""What hangs on the walls makes way for what would else hang out of reach."""
+"""What hangs on the walls hangs where it is reached, and at the height of its kind."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from robolayout.scene import Asset, Opening, Room, Scene
 SENTENCE = "a bedroom for two children with a bunk bed, desks and a reading corner, 4 x 5 m, for a wheelchair user"
 
 
-def test_a_mirror_makes_way_for_a_picture_that_nobody_would_get_to() -> None:
+def test_mirror_and_picture_both_hang_where_a_wheelchair_user_gets_to_them() -> None:
     scene, _ = scene_from_sentence(SENTENCE)
     report = rl.generate(scene).report
     assert report.ok, report.violations

@@ -392,9 +392,7 @@ def _grown(size: tuple[float, float, float]) -> tuple[float, float, float]:
 
 def along_wall(member: Member, size: tuple[float, float, float], wall: Wall) -> tuple[float, float, float] | None:
     """Return start, end and depth in metres of what a thing within `NEAR_WALL` of a wall covers of it, or None."""
-    (dx, dy), (nx, ny), (wx, wy) = wall.direction, wall.normal, wall.start
-    along = (member.x - wx) * dx + (member.y - wy) * dy
-    depth = (member.x - wx) * nx + (member.y - wy) * ny
+    (dx, dy), (nx, ny), (along, depth) = wall.direction, wall.normal, wall.place((member.x, member.y))
     c, s = math.cos(member.yaw), math.sin(member.yaw)
     half_along = (abs(c * dx + s * dy) * size[0] + abs(c * dy - s * dx) * size[1]) / 2
     half_depth = (abs(c * nx + s * ny) * size[0] + abs(c * ny - s * nx) * size[1]) / 2
