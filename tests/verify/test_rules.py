@@ -4,12 +4,16 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+import numpy as np
 import pytest
+from shapely import LineString, Polygon
 from verify_rooms import DOOR, furnished, on_floor, square, thing
 
 from robolayout.scene import Agent, Asset, Layout, Opening, Pose, Room, Scene, load_agent
 from robolayout.verify import verify
+from robolayout.verify.routes import Triangulation
 from robolayout.verify.rules import RULES, RuleResult
+from robolayout.verify.rules._measures import _narrow
 
 CHAIR_USER = load_agent("wheelchair")
 Placed = tuple[Asset, Pose | None]
@@ -72,6 +76,13 @@ def test_two_narrow_parts_close_together_count_as_one():
         shelves = [thing(f"shelf-{i}", (3.15, 0.3, 1.8), use_sides=()) for i in range(2)]
         placed = [(s, on_floor(s, 3.15 / 2, y)) for s, y in zip(shelves, (2.0, 2.3 + apart), strict=True)]
         assert judged(room, *placed, (box, on_floor(box, 0.3, 5.4)))["route_width"].met is met
+
+
+def test_a_way_that_is_wide_all_along_has_no_narrow_part():
+    """Such is the way to what only a slimmer body gets to once a chair is moved: up to the chair it is wide."""
+    floor = Polygon(square().vertices)
+    way = LineString(((1.0, 1.0), (3.0, 1.0)))
+    assert _narrow(way, np.array([floor]), Triangulation(floor), floor.exterior) == []
 
 
 @pytest.mark.parametrize(

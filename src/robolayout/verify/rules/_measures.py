@@ -106,7 +106,7 @@ def _narrow(line: LineString, covered: NDArray[np.object_], mesh: Triangulation,
     """Return the lengths of the narrow stretches of a way, two that are not far enough apart as one."""
     rest = shapely.get_parts(line.difference(shapely.union_all(covered)))
     stretches: list[tuple[float, float]] = []
-    for part in (part for part in rest if isinstance(part, LineString)):
+    for part in (part for part in rest if isinstance(part, LineString) and part.length > 0):
         middle = line.project(part.interpolate(0.5, normalized=True))
         half = _length(_through(part, covered, mesh), solid) / 2
         if half > ADA.close:
