@@ -196,6 +196,8 @@ def test_under() -> None:
     assert not check(under, (2, 2, 0), (3.3, 3.4, -math.pi / 4), (2, 2, 0), assets=(rug, THIRD, TABLE)), (
         "past its corner"
     )
+    for x, met in ((3.14, True), (3.16, False)):
+        assert check(under, (2, 2, 0), (2, 3, 0), (x, 2, 0), assets=(rug, TABLE, THIRD)) is met, "5 cm on it"
 
 
 @pytest.mark.parametrize(
@@ -221,12 +223,41 @@ def test_what_stands_behind_a_thing_is_not_above_it_but_a_loft_bed_over_it_is() 
 
 
 def test_mounted_on_and_ceiling_above() -> None:
-    assert check(said("mounted_on", A, WallRef(0), 1.5), (3, 0.3, NORTH, 1.54))
-    assert not check(said("mounted_on", A, WallRef(0), 1.5), (3, 0.3, NORTH, 1.56))
-    assert check(said("mounted_on", A, WallRef(0)), (3, 0.3, NORTH, 9.0))
-    assert check(said("ceiling_above", A, B), (3.1, 3.1, 0), (3, 3, 0))
-    assert not check(said("ceiling_above", A, B), (3.11, 3.11, 0), (3, 3, 0))
-    assert check(said("ceiling_above", A), (3, 2.5, 0))
+    hung, lamp = replace(BOX, on_floor=False, on_wall=True), replace(BOX, on_floor=False, on_ceiling=True)
+    there, at_ceiling = ((3, 3, 0), ROOM.wall_height - BOX.size[2] / 2)
+    assert check(said("mounted_on", A, WallRef(0), 1.5), (3, 0.3, NORTH, 1.54), assets=(hung,))
+    assert not check(said("mounted_on", A, WallRef(0), 1.5), (3, 0.3, NORTH, 1.56), assets=(hung,))
+    assert check(said("mounted_on", A, WallRef(0)), (3, 0.3, NORTH, 9.0), assets=(hung,))
+    assert not check(said("mounted_on", A, WallRef(0)), (3, 0.3, NORTH)), "it stands"
+    assert check(said("ceiling_above", A, B), (3.1, 3.1, 0, at_ceiling), there, assets=(lamp, TABLE))
+    assert not check(said("ceiling_above", A, B), (3.11, 3.11, 0, at_ceiling), there, assets=(lamp, TABLE))
+    assert check(said("ceiling_above", A), (3, 2.5, 0, at_ceiling - 0.01), assets=(lamp,))
+    assert not check(said("ceiling_above", A), (3, 2.5, 0, at_ceiling - 0.03), assets=(lamp,)), "it floats"
+    assert not check(said("ceiling_above", A, B), (3.1, 3.1, 0), there), "it stands"
+
+
+@pytest.mark.parametrize(
+    ("at", "met"), [((1.9, 2), True), ((2.1, 2), False), ((1.5, 2), False), ((1.9, 2.9), False), ((1.57, 2.8), True)]
+)
+def test_what_is_toward_the_back_of_a_thing_is_on_it(at: tuple[float, float], met: bool) -> None:
+    assert check(said("toward", C, B, "back"), AWAY, (2, 2, 0), (*at, 0)) is met
+
+
+def test_a_long_thing_stands_next_to_a_short_one() -> None:
+    """A bed 2 m deep and its night stand, backs in line: the middle of the bed lies far past the end of the night stand."""
+    bed, stand = Asset("a-0", "bed", (2.0, 1.6, 0.5)), Asset("b-0", "night stand", (0.4, 0.5, 0.5))
+    for name, options in (("next_to", {}), ("left_of", {})):
+        beside = said(name, A, B, **options)
+        assert check(beside, (1.0, 3.1, 0), (0.2, 2.0, 0), assets=(bed, stand))
+        assert not check(beside, (1.3, 3.1, 0), (0.2, 2.0, 0), assets=(bed, stand)), "past its end"
+        (row,) = beside.terms(Scene(ROOM, (bed, stand)), Layout({n: Pose(1, 1, 0.3, 0) for n in ("a-0", "b-0")}))
+        assert (row.along.low, row.along.high, row.along.low_extent) == (0.0, 0.0, -1.0), "the search leaves it there"
+
+
+def test_a_sofa_is_centred_on_a_picture_sideways() -> None:
+    picture = Asset("b-0", "picture", (0.04, 1.0, 0.8), on_floor=False, on_wall=True)
+    for y, met in ((2.09, True), (2.11, False)):
+        assert check(said("centered_on", A, B), (0.3, y, 0), (0.02, 2, 0, 1.5), assets=(BOX, picture)) is met
 
 
 def test_keep_clear() -> None:
@@ -251,6 +282,15 @@ def test_zone_is_its_polygon_and_not_the_box_around_it() -> None:
     assert not check(zone, AWAY, AWAY, (0.14, 1.0, 0))
 
 
+def test_a_zone_with_a_dent_is_refused() -> None:
+    """What stands in the notch of an L counted as in it: the convex hull was measured."""
+    corners = [(0, 0), (4, 0), (4, 2), (2, 2), (2, 4), (0, 4)]
+    fault = said("zone", C, tuple(PointRef(*at) for at in corners)).fault(Scene(ROOM, (THIRD,)))
+    assert "(2, 2, 0) is a dent" in fault
+    straight = (PointRef(0, 0), PointRef(2, 0), PointRef(4, 0), PointRef(4, 4))
+    assert not said("zone", C, straight).fault(Scene(ROOM, (THIRD,)))
+
+
 @pytest.mark.parametrize("count", range(1, 13))
 @pytest.mark.parametrize("size", [(0.8, 0.8), (0.9, 1.6), (1.0, 3.0), (2.4, 1.0)])
 def test_seats_around_a_table_have_places_of_their_own(count: int, size: tuple[float, float]) -> None:
@@ -267,6 +307,28 @@ def test_seats_around_a_table_have_places_of_their_own(count: int, size: tuple[f
     room_for = sum(int(side / 0.45) * 2 for side in size)
     if count <= room_for // 2:
         assert NoOverlap().check(scene, layout).met
+
+
+@pytest.mark.parametrize(
+    ("table", "seats", "met"),
+    [
+        ((3, 2.5, 0), [(3.7, 2.1, 180), (3.7, 2.9, 180), (2.3, 2.1, 0), (2.3, 2.9, 0)], True),
+        ((3, 2.5, 0), [(3.7, 1.9, 180), (3.7, 2.3, 180), (3.7, 2.7, 180), (3.7, 3.1, 180)], False),
+        ((3, 2.5, 0), [(3.7, 2.1, 180), (3.7, 2.9, 180), (3.7, 2.5, 180), (2.3, 2.5, 0)], False),
+        ((3, 2.5, 0), [(3.7, 2.5, 180), (2.3, 2.5, 0), (3, 1.4, 90)], True),
+        ((0.4, 2.5, 0), [(1.1, 2.1, 180), (1.1, 2.9, 180), (0.4, 1.4, 90), (0.4, 3.6, -90)], True),
+        ((3, 2.5, 30), [(3.6, 2.85, 210), (2.4, 2.15, 30)], True),
+        ((3, 2.5, 30), [(3.4, 3.2, 210), (3.8, 2.51, 210)], False),
+    ],
+)
+def test_seats_at_one_side_of_a_table_are_not_around_it(
+    table: tuple[float, ...], seats: list[tuple[float, ...]], met: bool
+) -> None:
+    """But for a side that a wall leaves no place at."""
+    chairs = tuple(Asset(f"chair-{i}", "chair", (0.5, 0.4, 0.9)) for i in range(len(seats)))
+    poses = [(x, y, math.radians(turn)) for x, y, turn in (*seats, table)]
+    around = said("around", tuple(AssetRef(chair.name) for chair in chairs), B)
+    assert check(around, *poses, assets=(*chairs, TABLE)) is met
 
 
 def test_implicit_checks() -> None:
@@ -335,6 +397,33 @@ def test_rows_are_as_far_apart_as_asked_but_for_those_back_to_back(
 
 
 @pytest.mark.parametrize(
+    ("places", "met"),
+    [
+        ([(1.0, 1.0), (2.8, 1.3), (4.6, 0.8), (6.4, 1.0)], True),
+        ([(1.0, 1.0), (2.8, 5.0), (4.6, 2.0), (6.4, 6.0)], False),
+        ([(1.0, 1.0), (1.0, 2.1), (3.0, 4.5), (3.0, 5.6)], False),
+        ([(1.0, 1.0), (1.0, 2.1), (3.0, 2.4), (3.0, 3.5)], False),
+        ([(1.0, 1.0), (1.0, 2.1), (3.0, 2.0), (3.0, 3.1)], True),
+    ],
+)
+def test_rows_are_behind_each_other(places: list[tuple[float, float]], met: bool) -> None:
+    """Things scattered in depth were so many rows of one."""
+    desks = tuple(Asset(f"desk-{i}", "desk", (0.6, 1.0, 0.75)) for i in range(4))
+    rows = said("in_rows", tuple(AssetRef(desk.name) for desk in desks), aisle=1.0)
+    assert check(rows, *((x, y, 0.0) for x, y in places), assets=desks) is met
+
+
+def test_rows_of_things_of_several_sizes_are_measured_between_their_edges() -> None:
+    desks = tuple(Asset(f"desk-{i}", "desk", (0.6 + 0.4 * i, 1.0 + i, 0.75)) for i in range(2))
+    beside = said("in_rows", (AssetRef("desk-0"), AssetRef("desk-1")), gap=0.6)
+    behind = said("in_rows", (AssetRef("desk-0"), AssetRef("desk-1")), aisle=1.0)
+    for apart, met in ((2.2, True), (2.0, False)):
+        assert check(beside, (1, 1, 0), (1, 1 + apart, 0), assets=desks) is met
+    for apart, met in ((1.8, True), (1.7, False)):
+        assert check(behind, (1, 2, 0), (1 + apart, 2, 0), assets=desks) is met
+
+
+@pytest.mark.parametrize(
     ("pose", "met"),
     [
         ((3.0, 2.0, 0), True),
@@ -348,6 +437,17 @@ def test_what_is_beside_one_of_two_things_is_not_between_them(pose: tuple[float,
     plant = Asset("a-0", "plant", (0.3, 0.3, 0.6))
     sofa = replace(TABLE, size=(0.9, 1.8, 0.8))
     assert check(said("between", A, C, B), pose, (4.5, 2, 0), (1, 2, 0), assets=(plant, sofa, THIRD)) is met
+
+
+@pytest.mark.parametrize(("x", "met"), [(2.0, True), (2.39, True), (2.41, False), (2.6, False)])
+def test_what_stands_before_the_gap_is_not_between(x: float, met: bool) -> None:
+    """Two armchairs 0.8 m deep, side by side: a side table before both of them was as near to the line between them as 0.5 m."""
+    side_table, chairs = Asset("a-0", "side table", (0.4, 0.4, 0.5)), (Asset("b-0", "armchair", (0.8, 0.8, 0.9)),)
+    chairs += (replace(chairs[0], name="c-0"),)
+    assert check(said("between", A, B, C), (x, 2, 0), (2, 1.3, 0), (2, 2.7, 0), assets=(side_table, *chairs)) is met
+    sofa, lamps = replace(side_table, size=(0.9, 1.0, 0.8)), [replace(c, size=(0.3, 0.3, 1.6)) for c in chairs]
+    deep = (0.45, 2, 0), (0.15, 1.3, 0), (0.15, 2.7, 0)
+    assert check(said("between", A, B, C), *deep, assets=(sofa, *lamps)), "the line runs through it"
 
 
 def test_a_bed_between_two_windows_may_have_its_back_to_their_wall() -> None:

@@ -7,6 +7,8 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from itertools import combinations
 
+from shapely import MultiPoint, Polygon
+
 from robolayout.assets.surfaces import surfaces_of
 from robolayout.constraints._exact import TOLERANCE, facing_error, footprint, frame, half_size
 from robolayout.constraints._refs import AssetRef
@@ -28,6 +30,7 @@ class Seating:
     tucked: tuple[float, float, float] = (0.18, 0.12, 0.06)
     even: float = 1.15  # how many times as long as the other a side of a square or round table is at the most
     round: float = 0.85  # share of its box that a round top fills at the most
+    beyond: float = 0.9  # share of a table's half from which on a seat is at that side of it
     spare: float = 0.02  # metres that stay free above and beside a seat that is left under a table
 
 
@@ -107,7 +110,7 @@ class Around(Relation):
     name = "around"
     moves = ("items",)
     orients = True
-    surrogate = True  # each at a place of its own, where the check takes any at the edge
+    surrogate = True  # each at a place of its own, where the check takes any that is even
     example = "solver.around([chair[0], chair[1], chair[2], chair[3]], dining_table[0])"
 
     items: tuple[AssetRef, ...] = argument("asset", many=True)
@@ -149,13 +152,28 @@ class Around(Relation):
         )
 
     def check(self, scene: Scene, layout: Layout) -> Outcome:
-        """Each item faces b and stands at most gap (0.05 if None) + 0.35 m from its edge."""
+        """Each faces b, at most gap (0.05 if None) + 0.35 m from its edge; opposite sides hold as many within one, walls aside."""
         table = footprint(scene, layout, self.b)
         limit = (SEATING.usual if self.gap is None else self.gap) + 0.30
         gaps = [table.distance(footprint(scene, layout, item)) for item in self.items]
         turned = max(facing_error(scene, layout, item, self.b) for item in self.items)
-        met = max(gaps) <= limit + TOLERANCE.gap and turned <= TOLERANCE.angle
-        return Outcome(met, max(gaps), limit, "m", f"up to {max(gaps):.2f} m from {self.b}, up to {turned:.0f} deg off")
+        uneven = self._uneven(scene, layout)
+        met = max(gaps) <= limit + TOLERANCE.gap and turned <= TOLERANCE.angle and uneven <= 1
+        text = f"up to {max(gaps):.2f} m from {self.b}, up to {turned:.0f} deg off"
+        text += f", {uneven} more at one side than opposite" if uneven > 1 else ""
+        return Outcome(met, max(gaps), limit, "m", text)
+
+    def _uneven(self, scene: Scene, layout: Layout) -> int:
+        """Return by how many there are more at one side of b than opposite, where the room leaves both sides free."""
+        here, room = frame(scene, layout, self.b), Polygon(scene.room.vertices)
+        seen = [here.seen(layout[item.name].at) for item in self.items]
+        depth, uneven = max(scene.by_name[item.name].size[0] for item in self.items), 0
+        for axis, half in enumerate(half_size(scene, self.b)):
+            ends = [here.point(*((out, 0.0) if axis == 0 else (0.0, out))) for out in (half + depth, -half - depth)]
+            if room.contains(MultiPoint(ends)):
+                beyond = [at[axis] for at in seen if abs(at[axis]) > SEATING.beyond * half]
+                uneven = max(uneven, abs(sum(1 if x > 0 else -1 for x in beyond)))
+        return uneven
 
 
 def assignment(costs: Sequence[Sequence[float]]) -> list[int]:

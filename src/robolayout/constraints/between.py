@@ -5,19 +5,19 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from shapely import LineString
+from shapely import LineString, Point
 
-from robolayout.constraints._exact import TOLERANCE, footprint, frame, shape
+from robolayout.constraints._exact import TOLERANCE, footprint, frame, seen_from, shape
 from robolayout.constraints._refs import AssetRef, PointRef
 from robolayout.constraints._relation import FrameTerm, Interval, Outcome, Relation, Term, argument
-from robolayout.scene import Layout, Scene
+from robolayout.scene import Layout, Pose, Scene
 
 ENDS = 0.2  # part of what is free of that line, at either end, that the search keeps clear of
 
 
 @dataclass(frozen=True)
 class BetweenTwo(Relation):
-    """`a` stands between `b` and `c`: at most 0.5 m from the line between their middles, and not past its ends."""
+    """`a` stands between `b` and `c`: on the line between their middles or little aside (0.5 m at the most), not past its ends."""
 
     name = "between"
     as_guessed = True
@@ -43,15 +43,29 @@ class BetweenTwo(Relation):
         return (FrameTerm(self.a, middle, along=Interval(-most, most), across=Interval(-half, half)),)
 
     def check(self, scene: Scene, layout: Layout) -> Outcome:
-        """Within 0.5 m of the line between the centres, its middle between their edges along it."""
+        """On the line between the centres, or its middle no farther aside than b or c reaches; between their edges along it."""
         here, free = layout[self.a.name], self._free(scene, layout)
         (x, y), (u, v) = free.coords[0], free.coords[-1]
         along = ((here.x - x) * (u - x) + (here.y - y) * (v - y)) / (free.length or 1.0)
         past = max(-along, along - free.length)
-        aside = footprint(scene, layout, self.a).distance(self._line(scene, layout))
+        most, line = self._most(scene, layout), self._line(scene, layout)
+        aside = footprint(scene, layout, self.a).distance(line)
+        if most is not None and aside > TOLERANCE.gap:
+            aside = line.distance(Point(here.at))
         text = f"{aside:.2f} m off the line between {self.b} and {self.c}"
         text += f", {past:.2f} m past the edge of one" if past > TOLERANCE.gap else ""
-        return Outcome(past <= TOLERANCE.gap and aside <= TOLERANCE.aside, aside, TOLERANCE.aside, "m", text)
+        limit = TOLERANCE.aside if most is None else most
+        return Outcome(past <= TOLERANCE.gap and aside <= limit, aside, limit, "m", text)
+
+    def _most(self, scene: Scene, layout: Layout) -> float | None:
+        """Return how far aside the middle may be: as b or c reaches, 0.25 to 0.5 m; None beside points and what hangs."""
+        ends = [ref for ref in (self.b, self.c) if isinstance(ref, AssetRef) and not scene.by_name[ref.name].on_wall]
+        if len(ends) < 2:
+            return None
+        (x, y), (u, v) = self._line(scene, layout).coords
+        along = Pose(x, y, 0.0, math.atan2(v - y, u - x))
+        sides = [seen_from(along, footprint(scene, layout, ref)).bounds for ref in ends]
+        return min(max(TOLERANCE.aside / 2, *(max(-low, high) for _, low, _, high in sides)), TOLERANCE.aside)
 
     def _line(self, scene: Scene, layout: Layout) -> LineString:
         return LineString([frame(scene, layout, ref).at for ref in (self.b, self.c)])

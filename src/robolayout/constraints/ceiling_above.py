@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from robolayout.constraints._exact import TOLERANCE, frame, point_ref
 from robolayout.constraints._refs import AssetRef, Ref
 from robolayout.constraints._relation import FrameTerm, Outcome, Relation, Term, argument
-from robolayout.scene import Layout, Scene
+from robolayout.scene import Layout, Scene, vertical_span
 
 
 @dataclass(frozen=True)
@@ -26,8 +26,12 @@ class CeilingAbove(Relation):
         return (FrameTerm(self.a, point_ref(self.b, scene), distance=(0.0, 0.0)),)
 
     def check(self, scene: Scene, layout: Layout) -> Outcome:
-        """Within 15 cm in plan."""
-        target = frame(scene, layout, point_ref(self.b, scene))
-        off = math.hypot(layout[self.a.name].x - target.x, layout[self.a.name].y - target.y)
+        """Within 15 cm in plan, its top within 2 cm of the ceiling."""
+        target, pose = frame(scene, layout, point_ref(self.b, scene)), layout[self.a.name]
+        off = math.dist(pose.at, target.at)
+        below = scene.room.wall_height - vertical_span(scene.by_name[self.a.name], pose)[1]
         where = "the middle of the room" if self.b is None else str(self.b)
-        return Outcome.at_most(TOLERANCE.hanging, off, "m", f"{off:.2f} m off the place above {where}")
+        text = f"{off:.2f} m off the place above {where}"
+        if below > TOLERANCE.support:
+            return Outcome(False, below, TOLERANCE.support, "m", f"{text}, {below:.2f} m below the ceiling")
+        return Outcome.at_most(TOLERANCE.hanging, off, "m", text)

@@ -15,7 +15,7 @@ MIDDLE = Interval(0.0, 0.0)
 
 @dataclass(frozen=True)
 class CenteredOn(Relation):
-    """`a` is centred on `b`: along a wall, over an asset (wall things and `axis` "side": sideways only), on a point or the room (None)."""
+    """`a` is centred on `b`: along a wall, over an asset (at a wall and `axis` "side": sideways only), on a point or the room (None)."""
 
     name = "centered_on"
     example = "solver.centered_on(picture[0], bed[0])"
@@ -46,5 +46,5 @@ class CenteredOn(Relation):
         """Return which axes of the frame of an asset or wall are bound: along, across."""
         if isinstance(self.b, WallRef):
             return (True, False)
-        sideways = isinstance(self.b, AssetRef) and (self.axis == "side" or scene.by_name[self.a.name].on_wall)
-        return (not sideways, True)
+        hung = isinstance(self.b, AssetRef) and any(scene.by_name[ref.name].on_wall for ref in (self.a, self.b))
+        return (not hung and self.axis != "side", True)

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 
-from robolayout.constraints._exact import TOLERANCE, angle_between, frame
+from robolayout.constraints._exact import TOLERANCE, angle_between, frame, half_size
 from robolayout.constraints._refs import AssetRef
 from robolayout.constraints._relation import FrameTerm, Interval, Outcome, Relation, Term, argument
 from robolayout.scene import Layout, Scene
@@ -37,64 +37,90 @@ class InRows(Relation):
     def terms(self, scene: Scene, near: Layout) -> tuple[Term, ...]:
         """Return one row for each but the first: where it is in the line that it is near, as far from the next as is asked."""
         first, here = self.items[0], frame(scene, near, self.items[0])
-        depth, width, _ = scene.by_name[first.name].size
         seen = {item: here.seen(near[item.name].at) for item in self.items}
         ahead = {item: math.cos(near[item.name].yaw - here.yaw) > 0 for item in self.items}
-        lines: list[list[AssetRef]] = []
-        for item in sorted(self.items, key=lambda one: seen[one]):
-            if not lines or seen[item][0] - seen[lines[-1][0]][0] >= depth / 2:
-                lines.append([])
-            lines[-1].append(item)
+        half, lines = {item: half_size(scene, item) for item in self.items}, self._lines(scene, seen)
         base = next(k for k, line in enumerate(lines) if first in line)
-        close = [self.backs != "alike" and not ahead[a[0]] and ahead[b[0]] for a, b in pairwise(lines)]
         middles = [0.0 if k == base else seen[line[len(line) // 2]][0] for k, line in enumerate(lines)]
-        along = _spread(middles, [depth + self.aisle * (not backs) for backs in close], base)
-        rows: list[Term] = []
-        for u, line in zip(along, lines, strict=True):
+        apart = [
+            sum(max(half[item][0] for item in line) for line in two)
+            + self.aisle * (self.backs == "alike" or ahead[two[0][0]] or not ahead[two[1][0]])
+            for two in pairwise(lines)
+        ]
+        along = _spread(middles, apart, base)
+        across: list[list[float]] = []
+        for line in lines:
             line.sort(key=lambda one: seen[one][1])
-            fixed = line.index(first) if first in line else len(line) // 2
-            across = _spread([seen[one][1] for one in line], [width + self.gap] * (len(line) - 1), fixed)
-            for item, v in zip(line, across, strict=True):
-                turned = 0.0 if ahead[item] else math.pi
+            beside = [half[one][1] + half[two][1] + self.gap for one, two in pairwise(line)]
+            across.append(
+                _spread([seen[one][1] for one in line], beside, line.index(first) if first in line else len(line) // 2)
+            )
+        ends = [(v[0] - half[line[0]][1], v[-1] + half[line[-1]][1]) for v, line in zip(across, lines, strict=True)]
+        rows: list[Term] = []
+        for u, line, places, off in zip(along, lines, across, aside := _aside(ends), strict=True):
+            for item, place in zip(line, places, strict=True):
+                turned, v = 0.0 if ahead[item] else math.pi, place - off + aside[base]
                 term = FrameTerm(item, first, along=Interval(u, u), across=Interval(v, v), heading=turned, moves="both")
                 rows += [term] if item != first else []
         return tuple(rows)
 
     def check(self, scene: Scene, layout: Layout) -> Outcome:
-        """Along one line within 10 degrees, by turns with `backs`; rows straight within 5 cm, as many and as far apart as asked."""
+        """Along one line within 10 degrees, by turns with `backs`; straight rows (5 cm) behind each other, as many and as far as asked."""
         here = frame(scene, layout, self.items[0])
+        seen = {item: here.seen(layout[item.name].at) for item in self.items}
         apart = [angle_between(layout[item.name].yaw, here.yaw) for item in self.items]
         turned = max(min(off, 180.0 - off) for off in apart)
-        depth, width, _ = scene.by_name[self.items[0].name].size
-        lines: list[list[tuple[float, float]]] = []
-        ahead: list[set[bool]] = []
-        for (u, v), item in sorted((here.seen(layout[item.name].at), item) for item in self.items):
-            if not lines or u - lines[-1][0][0] >= depth / 2:
-                lines.append([])
-                ahead.append(set())
-            lines[-1].append((u, v))
-            ahead[-1].add(math.cos(layout[item.name].yaw - here.yaw) > 0)
-        off = max(line[-1][0] - line[0][0] for line in lines)
+        lines = self._lines(scene, seen)
+        ahead = [{math.cos(layout[item.name].yaw - here.yaw) > 0 for item in line} for line in lines]
+        off = max(seen[line[-1]][0] - seen[line[0]][0] for line in lines)
         longest = max(map(len, lines))
         even = self.rows is None or (len(lines) == self.rows and longest <= math.ceil(len(self.items) / self.rows))
         turns = [[{(k % 2 == first) == (self.backs == "facing")} for k in range(len(lines))] for first in (0, 1)]
-        aisles = [
-            two[0][0] - one[-1][0] - depth
-            for (one, two), ways in zip(pairwise(lines), pairwise(ahead), strict=True)
-            if self.backs == "alike" or ways != ({False}, {True})
-        ]
-        gaps = [b - a - width for line in lines for a, b in pairwise(sorted(v for _, v in line))]
-        close = max(self.aisle - min(aisles, default=math.inf), self.gap - min(gaps, default=math.inf))
-        met = (
-            off <= 2 * TOLERANCE.gap
-            and turned <= TOLERANCE.angle
-            and even
-            and (self.backs == "alike" or ahead in turns[: 1 + len(lines) % 2])  # one row of three is by itself
-            and close <= TOLERANCE.gap
-        )
+        by_turns = self.backs == "alike" or ahead in turns[: 1 + len(lines) % 2]  # one row of three is by itself
+        close, aside, aisles = self._measured(scene, seen, lines, ahead)
+        met = off <= 2 * TOLERANCE.gap and turned <= TOLERANCE.angle and even and by_turns
         text = f"{len(lines)} rows of at most {longest}, up to {off:.2f} m out of line, {turned:.0f} deg off"
         text += f", {min(aisles):.2f} m apart" if aisles else ""
-        return Outcome(met, max(off, close), 2 * TOLERANCE.gap, "m", text)
+        text += f", one {aside:.2f} m beside the others" if aside > TOLERANCE.gap else ""
+        met = met and max(close, aside) <= TOLERANCE.gap
+        return Outcome(met, max(off, close, aside), 2 * TOLERANCE.gap, "m", text)
+
+    def _lines(self, scene: Scene, seen: Mapping[AssetRef, tuple[float, float]]) -> list[list[AssetRef]]:
+        """Return the rows, from the back to the front of the first one, where each is as seen from there."""
+        lines: list[list[AssetRef]] = []
+        for item in sorted(self.items, key=lambda one: (seen[one], one)):
+            if not lines or seen[item][0] - seen[lines[-1][0]][0] >= half_size(scene, self.items[0])[0]:
+                lines.append([])
+            lines[-1].append(item)
+        return lines
+
+    def _measured(
+        self,
+        scene: Scene,
+        seen: Mapping[AssetRef, tuple[float, float]],
+        lines: Sequence[Sequence[AssetRef]],
+        ahead: Sequence[set[bool]],
+    ) -> tuple[float, float, list[float]]:
+        """Return how much too close two are, how far a row is beside the longest one, and the widths of the aisles, in metres."""
+        half = {item: half_size(scene, item) for item in self.items}
+        ends = [[[seen[i][k] + sign * half[i][k] for i in line for sign in (-1, 1)] for line in lines] for k in (0, 1)]
+        aisles = [
+            min(two) - max(one)
+            for (one, two), ways in zip(pairwise(ends[0]), pairwise(ahead), strict=True)
+            if self.backs == "alike" or ways != ({False}, {True})
+        ]
+        places = [sorted(zip(line[::2], line[1::2], strict=True)) for line in ends[1]]
+        gaps = [two[0] - one[1] for line in places for one, two in pairwise(line)]
+        close = max(self.aisle - min(aisles, default=math.inf), self.gap - min(gaps, default=math.inf))
+        aside = _aside([(min(line), max(line)) for line in ends[1]])
+        return close, max(map(abs, aside)), aisles
+
+
+def _aside(rows: Sequence[tuple[float, float]]) -> list[float]:
+    """Return by how many metres the middle of each row lies beside the longest one, to the left of it if positive."""
+    low, high = max(rows, key=lambda row: round(row[1] - row[0], 3))  # of equals the first
+    middles = [(start + end) / 2 for start, end in rows]
+    return [max(middle - high, 0.0) - max(low - middle, 0.0) for middle in middles]
 
 
 def _spread(places: Sequence[float], apart: Sequence[float], fixed: int) -> list[float]:

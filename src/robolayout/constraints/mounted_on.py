@@ -53,8 +53,10 @@ class MountedOn(Relation):
         before = max((min(right, high) - max(left, low) for low, high in openings), default=0.0)
         text = outcome.text + (f", {off:.2f} m off its height" if off > TOLERANCE.gap else "")
         text += f", {before:.2f} m of it before a door or window" if before > TOLERANCE.gap else ""
-        value = max(outcome.value, off, before)
-        return Outcome(outcome.met and max(off, before) <= TOLERANCE.gap, value, TOLERANCE.gap, "m", text)
+        hangs = scene.by_name[self.a.name].on_wall
+        met = outcome.met and hangs and max(off, before) <= TOLERANCE.gap
+        text += "" if hangs else ", it does not hang at walls"
+        return Outcome(met, max(outcome.value, off, before), TOLERANCE.gap, "m", text)
 
     def _openings(self, wall: WallRef, scene: Scene, layout: Layout) -> list[tuple[float, float]]:
         """Return where doors and windows at its height begin and end, in metres from the wall's middle."""

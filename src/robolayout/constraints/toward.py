@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from robolayout.constraints._exact import TOLERANCE, frame
+from robolayout.constraints._exact import TOLERANCE, frame, half_size
 from robolayout.constraints._refs import AssetRef
 from robolayout.constraints._relation import FrameTerm, Interval, Outcome, Relation, Term, argument
 from robolayout.scene import Layout, Scene
@@ -22,15 +22,19 @@ class Toward(Relation):
     side: str = argument("text", choices=("front", "back", "left", "right"), default="back")
 
     def terms(self, scene: Scene, near: Layout) -> tuple[Term, ...]:
-        """Return one row in b's frame: the centre beyond its middle."""
-        half = Interval(low=0.0) if self.side in ("front", "left") else Interval(high=0.0)
-        if self.side in ("front", "back"):
-            return (FrameTerm(self.a, self.b, along=half),)
-        return (FrameTerm(self.a, self.b, across=half),)
+        """Return one row in b's frame: the centre over that half of it."""
+        x0, x1, y0, y1 = self._half(scene)
+        return (FrameTerm(self.a, self.b, along=Interval(x0, x1), across=Interval(y0, y1)),)
 
     def check(self, scene: Scene, layout: Layout) -> Outcome:
-        """The centre at most 5 cm past b's middle."""
-        pose = layout[self.a.name]
-        u, v = frame(scene, layout, self.b).seen(pose.at)
-        off = max(0.0, {"front": -u, "back": u, "left": -v, "right": v}[self.side])
-        return Outcome.at_most(TOLERANCE.gap, off, "m", f"{off:.2f} m past the middle of {self.b}")
+        """The centre at most 5 cm beside that half of b."""
+        u, v = frame(scene, layout, self.b).seen(layout[self.a.name].at)
+        x0, x1, y0, y1 = self._half(scene)
+        off = max(0.0, x0 - u, u - x1, y0 - v, v - y1)
+        return Outcome.at_most(TOLERANCE.gap, off, "m", f"{off:.2f} m beside the {self.side} half of {self.b}")
+
+    def _half(self, scene: Scene) -> tuple[float, float, float, float]:
+        """Return from where to where that half of b lies along its front and across, in metres."""
+        (hx, hy), side = half_size(scene, self.b), self.side
+        along = (0.0 if side == "front" else -hx, 0.0 if side == "back" else hx)
+        return (*along, 0.0 if side == "left" else -hy, 0.0 if side == "right" else hy)

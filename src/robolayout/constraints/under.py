@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from robolayout.constraints._exact import common_area, footprint, half_size
+from robolayout.constraints._exact import TOLERANCE, common_area, footprint, half_size
 from robolayout.constraints._refs import AssetRef
 from robolayout.constraints._relation import FrameTerm, Interval, Outcome, Relation, Term, argument
 from robolayout.scene import Layout, Scene
@@ -17,7 +17,7 @@ class Under(Relation):
     """The rug `a` lies under `items`: each of them stands at least partly on it."""
 
     name = "under"
-    surrogate = True  # things reach 10 cm over the rug, where the check takes any overlap
+    surrogate = True  # things reach 10 cm over the rug, where the check takes 5
     example = "solver.under(rug[0], [sofa[0], coffee_table[0]])"
 
     a: AssetRef = argument("asset")
@@ -37,13 +37,18 @@ class Under(Relation):
         return tuple(rows)
 
     def check(self, scene: Scene, layout: Layout) -> Outcome:
-        """The rug's footprint overlaps each thing's."""
+        """Each thing reaches at least 5 cm over the rug, or a quarter of its shorter side where that is less."""
         rug = footprint(scene, layout, self.a)
-        covered = {item.name: common_area(rug, footprint(scene, layout, item)) for item in self.items}
-        beside = [name for name, area in covered.items() if area < 1e-4]
-        least = min(covered.values())
-        text = f"{', '.join(beside)} beside it" if beside else f"at least {least:.2f} m2 of each thing on it"
-        return Outcome(not beside, least, 1e-4, "m2", text)
+        inner = rug.buffer(-min(TOLERANCE.gap, min(half_size(scene, self.a)) / 2), join_style="mitre")
+        short = {item.name: inner.distance(footprint(scene, layout, item)) for item in self.items}
+        beside = [name for name, gap in short.items() if gap > 0.0]
+        least = min(common_area(rug, footprint(scene, layout, item)) for item in self.items)
+        text = (
+            f"{', '.join(beside)} beside it or hardly on it"
+            if beside
+            else f"at least {least:.2f} m2 of each thing on it"
+        )
+        return Outcome.at_most(0.0, max(short.values()), "m", text)
 
 
 def _reach(half: tuple[float, float]) -> tuple[Interval, Interval]:

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 from shapely import MultiPoint, Polygon, get_coordinates
+from shapely import Point as ShapelyPoint
 from shapely.geometry.polygon import orient
 
 from robolayout.constraints._exact import TOLERANCE, footprint
@@ -26,8 +27,12 @@ class Zone(Relation):
     polygon: tuple[PointRef, ...] = argument("point", many=True)
 
     def fault(self, scene: Scene) -> str:
-        """Refuse points that lie on one line."""
-        return "" if self._hull().area > 1e-6 else "the points of a zone lie on one line; a zone has an area"
+        """Refuse points that lie on one line, and an outline with a dent."""
+        hull = self._hull()
+        if hull.area <= 1e-6:
+            return "the points of a zone lie on one line; a zone has an area"
+        dents = [p for p in self.polygon if hull.exterior.distance(ShapelyPoint(p.x, p.y)) > TOLERANCE.outside]
+        return f"a zone is convex, and {dents[0]} is a dent in it; state any_of its convex parts" if dents else ""
 
     def terms(self, scene: Scene, near: Layout) -> tuple[Term, ...]:
         """Return one row for the smallest rectangle around the polygon, and one for each edge that cuts into it."""

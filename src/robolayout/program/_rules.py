@@ -165,7 +165,8 @@ def suits(so_far: Accepted, relation: Relation) -> Answer:
     if isinstance(relation, Under):
         return _suits_rug(so_far, relation)
     if isinstance(relation, CenteredOn) and first and isinstance(relation.b, AssetRef) and relation.axis == "both":
-        same_place = not first.on_wall and so_far.collide(first.name, relation.b.name)
+        hung = first.on_wall or assets[relation.b.name].on_wall
+        same_place = not hung and so_far.collide(first.name, relation.b.name)
         return f"{first.name} and {relation.b} would be in the same place" if same_place else None
     if isinstance(relation, MountedOn | CeilingAbove) and relation.a.name in so_far.parents:
         return f"{relation.a} already stands on {so_far.parents[relation.a.name]}"
