@@ -12,9 +12,12 @@ import pytest
 from verify_rooms import DISC, furnished, on_floor, square, thing
 
 from robolayout.constraints import RELATIONS, AssetRef, WallRef
+from robolayout.page._content import _figures
 from robolayout.program import read_program
 from robolayout.scene import Layout, Scene, layout_digest, scene_digest
 from robolayout.verify import Demands, Report, verify
+from robolayout.verify.present import shown
+from robolayout.words.ledger import AskedRow
 
 KEYS = [
     "asked",
@@ -175,6 +178,34 @@ def test_what_is_not_asked_of_a_body_does_not_fail_the_report():
     assert armed.violations == (
         "cup-0 is out of reach of arm: 0.95 m from the nearest place to stand, reach is 0.60 m.",
     )
+
+
+def test_a_page_names_the_narrowest_way_to_what_is_asked_of_a_body():
+    """As report.md does: no disc touches the cup amid the table."""
+    table = thing("table-0", (1.4, 1.4, 0.7), "dining table")
+    cup = thing("cup-0", (0.1, 0.1, 0.1), "cup", on_floor=False, on_object=True)
+    scene, layout = furnished(square(), (table, on_floor(table, 2.4, 2.4)), (cup, on_floor(cup, 2.4, 2.4, bottom=0.7)))
+    body = verify(scene, layout, agent=DISC).agents[0]
+    assert body.navigation.passages["cup-0"].width == 0
+    rows = {name: (value, met) for name, value, met in _figures(body, Demands())}
+    assert rows["narrowest way"] == ("1.50 m or more (needs 0.60 m)", True)
+
+
+def test_the_verdict_counts_the_phrases_that_it_does_not_tell_of():
+    kinds = ("met", "not understood", "not judged", "not judged")
+    rows = tuple(AskedRow(f"phrase {i}", "relation", "", (), kind, "") for i, kind in enumerate(kinds))
+    told = "all demands met, 1 phrase not understood, 2 phrases not judged"
+    report = replace(verify(*good()), asked=rows)
+    assert report.to_markdown().splitlines()[0].endswith(f": {told}")
+    assert told in report.to_html()
+    assert verify(*good()).to_markdown().splitlines()[0].endswith(": all demands met")
+
+
+@pytest.mark.parametrize(
+    ("share", "text"), [(18 / 19, "0.94"), (0.9999, "0.99"), (0.95, "0.95"), (0.29, "0.29"), (1.0, "1.00")]
+)
+def test_a_share_that_is_short_does_not_read_as_enough(share: float, text: str):
+    assert shown(share) == text
 
 
 def test_what_is_too_far_and_too_high_is_said_to_be_both_and_no_removal_helps():

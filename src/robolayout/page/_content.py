@@ -194,7 +194,8 @@ def _figures(report: AgentReport, demands: Demands) -> list[Row]:
         ("usable", f"{report.usage.usable_share:.0%}", usable),
         ("free floor", f"{nav.free.area:.1f} m\u00b2", None),
     ]
-    narrow = min(nav.passages.values(), key=lambda passage: passage.width, default=None)
+    asked = (passage for name, passage in nav.passages.items() if name not in aside)
+    narrow = min(asked, key=lambda passage: passage.width, default=None)
     if narrow is not None:
         rows.append(("narrowest way", f"{narrow.shown} (needs {needed:.2f} m)", narrow.width >= needed - 0.01))
     if nav.routes:

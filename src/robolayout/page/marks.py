@@ -117,7 +117,6 @@ STANDS = 0.05  # metres above the floor up to which a thing stands on it
 def sheet_notes(report: Report, date: str = "") -> SheetNotes:
     """Return areas, findings and rules for the first body of a report; `date` is what the title block says."""
     first = report.agents[0]
-    verdict = "all demands are met" if report.ok else "not all demands are met"
     helps = first.remedies.sentences(first.agent)
     rules = tuple(
         (row["name"], f"{row['measured']} ({row['source']})", row["met"])
@@ -125,7 +124,7 @@ def sheet_notes(report: Report, date: str = "") -> SheetNotes:
         if row["agent"] == first.agent.name
     )
     findings = (*report.violations, *helps)
-    return SheetNotes(date, _areas(first), verdict, findings, rules, first.navigation.boxes.carried)
+    return SheetNotes(date, _areas(first), report.verdict, findings, rules, first.navigation.boxes.carried)
 
 
 def rule_rows(report: Report) -> list[dict[str, Any]]:

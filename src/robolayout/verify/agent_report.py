@@ -127,7 +127,9 @@ class AgentReport:
             if nav.walkable_ratio < self.demands.walkable_ratio:
                 parts = len(nav.free.geoms) - 1
                 cut_off = f"{parts} further {'part is' if parts == 1 else 'parts are'} cut off"
-                found.append(f"{name} can walk only {nav.walkable_ratio:.0%} of the free floor: {cut_off}.")
+                found.append(
+                    f"{name} can walk only {math.floor(100 * nav.walkable_ratio)}% of the free floor: {cut_off}."
+                )
             found += [shut_sentence(nav, door) for door in nav.shut_doors]
             found += [unreached_sentence(nav, asset) for asset in wanted]
         unused = (use for use in self.usage.uses.values() if not use.usable and use.asset not in self.exempt)

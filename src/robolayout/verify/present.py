@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
@@ -19,6 +20,11 @@ LABELS = {"reachable_share": "reachable as it stands", "reachable_share_chairs_a
 """Names of figures for people, where they are not the keys."""
 
 VERDICTS = {True: "ok", False: "short", None: "-"}  # of a figure; of one that nobody demands there is none
+
+
+def shown(share: float) -> str:
+    """Return a share, rounded down: what is short of a limit does not read as if it met it."""
+    return f"{math.floor(100.0 * share + 1e-9) / 100:.2f}"
 
 
 def label(name: str) -> str:
@@ -60,7 +66,7 @@ def lying_about(report: Report) -> list[str]:
 
 def markdown(report: Report) -> str:
     """Return the content of `report.md`: the table, what is wrong, and the way to each asset."""
-    lines = [f"# {plain(report.scene.name)}: {'all demands met' if report.ok else 'not all demands are met'}", ""]
+    lines = [f"# {plain(report.scene.name)}: {report.verdict}", ""]
     lines += _ledger(report.asked)
     lines += ["| check | result | |", "|---|---:|---|"]
     lines += [
@@ -86,9 +92,8 @@ def markdown(report: Report) -> str:
 def html(report: Report) -> str:
     """Return the short table and the first things that are wrong as HTML."""
     bodies = ", ".join(body.agent.title or body.agent.name for body in report.agents)
-    verdict = "all demands met" if report.ok else "not all demands are met"
     rows = [[name, value, VERDICTS[met]] for name, value, met in report.rows()]
-    head = paragraph(f"{report.scene.name} for {bodies}: {verdict}")
+    head = paragraph(f"{report.scene.name} for {bodies}: {report.verdict}")
     asked = [[row.words, row.understanding, row.verdict, row.value] for row in report.asked]
     head += table(["words", "understood as", "verdict", "measured"], asked) if asked else ""
     rules = table(["rule", "asks", "measured", "", "source"], rule_rows(report)) if report.rules else ""
@@ -135,8 +140,8 @@ def _usable(use: Use) -> str:
 
 def _agent_table(report: AgentReport) -> list[str]:
     nav = report.navigation
-    shown = [f"{label(name)} {value:.2f}" for name, value in report.figures.items()]
-    lines = [f"{', '.join(shown)}."]
+    figures = [f"{label(name)} {shown(value)}" for name, value in report.figures.items()]
+    lines = [f"{', '.join(figures)}."]
     if not nav.scene.room.doors:
         lines.append(f"The room has no door: {plain(report.agent.name)} starts in the largest free part of the floor.")
     largest, needed = report.remedies.largest_disc, 2 * report.agent.radius

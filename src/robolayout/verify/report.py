@@ -21,7 +21,7 @@ from robolayout.verify.limits import Demands
 from robolayout.verify.metrics import published_metrics
 from robolayout.verify.moves import Move, moves
 from robolayout.verify.physics import CHECKS, Physics, physics
-from robolayout.verify.present import html, label, markdown
+from robolayout.verify.present import html, label, markdown, shown
 from robolayout.verify.rules import RuleResult, rule_results
 from robolayout.words import AskedRow, share_met
 
@@ -161,6 +161,15 @@ class Report:
         return share_met(self.asked)
 
     @property
+    def verdict(self) -> str:
+        """Whether all demands are met, and how many phrases of the words that does not tell of, in a few words."""
+        told = ["all demands met" if self.ok else "not all demands are met"]
+        for kind in ("not understood", "not judged"):
+            count = sum(row.verdict == kind for row in self.asked)
+            told += [f"{count} {'phrase' if count == 1 else 'phrases'} {kind}"] if count else []
+        return ", ".join(told)
+
+    @property
     def not_understood(self) -> str:
         """What was not understood, in one line; empty if everything was."""
         words = dict.fromkeys(row.words for row in self.asked if row.verdict == "not understood")
@@ -215,7 +224,7 @@ class Report:
 
     def rows(self) -> tuple[tuple[str, str, bool | None], ...]:
         """Return a short table: what was checked, what came out, whether that is enough; None where nothing is demanded."""
-        texts = {n: ("yes" if v else "no") if isinstance(v, bool) else f"{v:.2f}" for n, v in self.figures.items()}
+        texts = {n: ("yes" if v else "no") if isinstance(v, bool) else shown(v) for n, v in self.figures.items()}
         verdicts = {name: None if name in TOLD_ONLY else name not in self.unmet for name in texts}
         return tuple((label(name), text, verdicts[name]) for name, text in texts.items())
 
