@@ -168,7 +168,9 @@ def test_what_is_used_is_within_reach_in_height(bottom: float, beyond: float):
     assert found.measured.value == pytest.approx(beyond)
 
 
-@pytest.mark.parametrize(("x", "height", "met"), [(0.4, 0.75, True), (0.75, 0.75, False), (0.4, 0.95, False)])
+@pytest.mark.parametrize(
+    ("x", "height", "met"), [(0.4, 0.75, True), (0.75, 0.75, False), (0.4, 0.95, False), (0.2, 0.95, True)]
+)
 def test_reaching_over_a_table_ends(x: float, height: float, met: bool):
     """A cup so far from the nearest edge of a big table."""
     table = thing("table-0", (1.8, 1.8, height), "dining table")
@@ -178,6 +180,19 @@ def test_reaching_over_a_table_ends(x: float, height: float, met: bool):
     found = judged(room, (table, on_floor(table, 3, 3)), (cup, pose))["reach_over"]
     assert found.met is met
     assert found.measured.value == pytest.approx(x)
+
+
+@pytest.mark.parametrize(("depth", "met"), [(0.7, True), (0.9, False)])
+def test_one_reaches_over_a_table_from_where_one_gets_to(depth: float, met: bool):
+    """The cup stands at the back of a table whose back is at a wall, between two shelves: the back edge is no edge to reach over."""
+    table = thing("table-0", (depth, 1.4, 0.75), "dining table")
+    shelves = [thing(f"shelf-{i}", (depth, 1.0, 1.8), use_sides=()) for i in range(2)]
+    cup = thing("cup-0", (0.1, 0.1, 0.1), "vase", on_floor=False, on_object=True, use_sides=("front",))
+    flank = [(shelf, on_floor(shelf, depth / 2, y)) for shelf, y in zip(shelves, (1.8, 4.2), strict=True)]
+    placed = ((table, on_floor(table, depth / 2, 3.0)), (cup, on_floor(cup, 0.06, 3.0, bottom=0.75)))
+    found = judged(square(6.0), *placed, *flank)["reach_over"]
+    assert found.met is met
+    assert found.measured.value == pytest.approx(depth - 0.11)
 
 
 @pytest.mark.parametrize(("height", "met"), [(0.75, True), (0.6, False)])

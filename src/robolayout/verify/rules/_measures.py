@@ -315,15 +315,17 @@ def reach_range(body: AgentReport) -> Measured | None:
 
 
 def reach_over(body: AgentReport) -> Measured | None:
-    """Measure how far over the edge of what carries them things stand, and how high."""
-    found, rows = body.navigation.boxes, _asked(body)
+    """Measure how far over what carries them things stand from where the body gets to, and how high."""
+    found, main, rows = body.navigation.boxes, body.navigation.main, _asked(body)
     rows = rows[found.carriers[rows] >= 0]
-    if not len(rows):
+    if not len(rows) or main.is_empty:
         return None
     under = found.carriers[rows]
-    depth = shapely.distance(found.footprints[rows], shapely.get_exterior_ring(found.footprints[under]))
-    high = np.where(depth <= ADA.full_depth, ADA.high, ADA.high_over)
-    too_far = (depth > ADA.over_depth) | (found.top[under] > ADA.over_height + ADA.contact)
+    arms = shapely.shortest_line(main, found.footprints[rows])
+    depth = shapely.length(shapely.intersection(arms, found.footprints[under]))
+    deep = depth > ADA.full_depth
+    high = np.where(deep, ADA.high_over, ADA.high)
+    too_far = (depth > ADA.over_depth) | (deep & (found.top[under] > ADA.over_height + ADA.contact))
     out = rows[too_far | (found.bottom[rows] > high + ADA.contact)]
     text = f"too far or too high: {_listed(body, out)}" if len(out) else f"{_all(len(rows))} on tops"
     return Measured(not len(out), float(depth.max()), text)
