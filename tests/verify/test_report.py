@@ -199,6 +199,8 @@ def test_the_verdict_counts_the_phrases_that_it_does_not_tell_of():
     assert report.to_markdown().splitlines()[0].endswith(f": {told}")
     assert told in report.to_html()
     assert verify(*good()).to_markdown().splitlines()[0].endswith(": all demands met")
+    lenient = verify(*good(), asked(1), demands=Demands(statements_met_share=0.0))
+    assert lenient.ok and lenient.verdict == "all demands met, 1 of 1 statements unmet"
 
 
 @pytest.mark.parametrize(

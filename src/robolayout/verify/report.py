@@ -162,12 +162,16 @@ class Report:
 
     @property
     def verdict(self) -> str:
-        """Whether all demands are met, and how many phrases of the words that does not tell of, in a few words."""
-        told = ["all demands met" if self.ok else "not all demands are met"]
+        """Whether all demands are met, and how many statements are unmet and phrases not judged beside that, in a few words."""
+        told, unmet = (
+            "all demands met" if self.ok else "not all demands are met",
+            sum(not s.met for s in self.statements),
+        )
+        told += f", {unmet} of {len(self.statements)} statements unmet" if unmet and self.ok else ""
         for kind in ("not understood", "not judged"):
             count = sum(row.verdict == kind for row in self.asked)
-            told += [f"{count} {'phrase' if count == 1 else 'phrases'} {kind}"] if count else []
-        return ", ".join(told)
+            told += f", {count} {'phrase' if count == 1 else 'phrases'} {kind}" if count else ""
+        return told
 
     @property
     def not_understood(self) -> str:
