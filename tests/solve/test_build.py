@@ -130,6 +130,21 @@ def test_a_clock_that_is_asked_over_high_shelves_hangs_over_their_top() -> None:
     assert math.dist(over.at, under.at) < 0.2
 
 
+def built_from(text: str) -> Layout:
+    scene, _ = scene_from_sentence(text)
+    program = reconcile(read_program(OfflinePlanner().plan(PlanRequest(scene)), scene), scene).program
+    return compile_problem(scene, program).guess
+
+
+def test_the_mirror_stays_over_the_basin_and_the_mat_lies_before_it() -> None:
+    text = "a small bathroom with a shower, a toilet and a basin, 2.6 x 2.7 m"
+    built = built_from(text)
+    basin, mirror, mat = built["washbasin-0"], built["mirror-0"], built["bath_mat-0"]
+    assert math.dist(basin.at, mirror.at) < 0.3
+    ahead = math.cos(basin.yaw) * (mat.x - basin.x) + math.sin(basin.yaw) * (mat.y - basin.y)
+    assert 0.3 < ahead < 0.5
+
+
 def test_a_long_chain_that_fits_nowhere_is_taken_apart_link_by_link(monkeypatch: pytest.MonkeyPatch) -> None:
     scene, _ = scene_from_sentence("seven cabinets in a row, 3 x 3.5 m")
     asked = read_words(scene).demands

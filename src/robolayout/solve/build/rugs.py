@@ -25,6 +25,8 @@ class Laying:
 
     under_bed: float = 0.25  # metres by which a rug beside a narrow bed lies under it
     foot: float = 0.3  # part of a thing's depth by which a rug lies before its middle, if it is to lie toward its front
+    stood_at: float = 0.7  # metres of depth up to which a thing is stood at: its mat lies before it
+    under_edge: float = 0.1  # metres by which that mat lies under it
     least_under: float = 0.01  # square metres of a rug that lie under its owner at the least
     between: float = 0.4  # metres between two mats
     landing: float = 0.8  # metres before a door in the middle of which its mat lies
@@ -64,7 +66,8 @@ def _at_owner(site: Site, name: str, owner: str) -> Pose:
     """Return where a rug belongs: under a thing, toward the side that is said, or beside it."""
     there, (depth, width, _), join = site.spots[owner].member, site.size(owner), site.wants[name].join
     if join is None or join.slot != "beside":
-        ahead = LAYING.foot * depth if join is not None else 0.0
+        before = depth / 2 + site.size(name)[0] / 2 - LAYING.under_edge
+        ahead = 0.0 if join is None else before if depth <= LAYING.stood_at else LAYING.foot * depth
         return _pose(Member(name, ahead, 0.0, 0.0).moved(there.x, there.y, there.yaw))
     rug, short = site.size(name), min(site.size(name)[:2])
     aside = width / 2 + short / 2 - LAYING.under_bed
