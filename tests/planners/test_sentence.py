@@ -13,7 +13,7 @@ from robolayout._errors import SceneError
 from robolayout.assets.meshes import parts
 from robolayout.planners import OfflinePlanner, PlanRequest, scene_from_sentence
 from robolayout.program import read_program, reconcile
-from robolayout.scene import load_agent, scene_to_dict
+from robolayout.scene import Asset, Room, Scene, load_agent, scene_to_dict
 from robolayout.words import read_words
 
 
@@ -377,6 +377,20 @@ def test_seats_that_face_each_other_by_a_fireplace_stand_as_a_pair_with_room_for
 def test_nothing_is_added_for_which_no_top_has_room() -> None:
     text = "Two armchairs face each other by the window with a small round table between them."
     assert "book stack" not in scene_from_sentence(text)[1].added
+
+
+@pytest.mark.parametrize(("text", "tables"), [("a restaurant with eight tables", 8), ("a cafe with two tables", 2)])
+def test_over_every_table_of_a_guest_room_hangs_a_lamp(text: str, tables: int) -> None:
+    plan = OfflinePlanner().plan(PlanRequest(scene_from_sentence(text)[0]))
+    assert len(set(re.findall(r"ceiling_above\(pendant_lamp\[\d\], (\w+_table\[\d\])", plan))) == tables
+
+
+def test_a_printer_that_covers_most_of_its_stand_stands_on_it_and_on_nobodys_desk() -> None:
+    printer = Asset("printer-0", "printer", (0.4, 0.45, 0.32), on_floor=False, on_object=True)
+    stand = Asset("printer_stand-0", "printer stand", (0.5, 0.6, 0.6))
+    room = Room(((0, 0), (5, 0), (5, 4), (0, 4)), 2.6)
+    plan = OfflinePlanner().plan(PlanRequest(Scene(room, (Asset("desk-0", "desk", (0.7, 1.4, 0.75)), stand, printer))))
+    assert "solver.on_top_of(printer[0], printer_stand[0])" in plan
 
 
 def test_what_is_asked_to_hang_above_a_thing_hangs_there_and_nothing_else_does() -> None:

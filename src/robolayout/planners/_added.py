@@ -86,6 +86,8 @@ class Added:
         self._zones()
         if "ceiling lamp" in self.found:
             self.found["ceiling lamp"] = max(self.found["ceiling lamp"], round(self.floor / LIT))
+        for name in [*self.found]:
+            self.found[name] = max(self.found[name], self._belongs_to(name, "ceiling")[1])  # a lamp for each table
         return self.found
 
     def _named(self, name: str) -> bool:
@@ -132,11 +134,16 @@ class Added:
 
     def _of_one(self, name: str) -> bool:
         """Return whether a thing would lie under one of several alike: a rug under the first of three tables."""
+        over, count = self._belongs_to(name, "rug")
+        return count > (1 if over in ALONE_ON_A_RUG else ON_A_RUG)
+
+    def _belongs_to(self, name: str, stands: str) -> tuple[str, int]:
+        """Return the role of what a thing that only stands so lies under or hangs over, and how many of them there are."""
         role, counts, there = self.wishes.role(name), Counter[str](), both(self.wished, self.found)
         for other, bearer in self.wishes.playing(there).items():
             counts[bearer.name] += there[other]
-        over = next((kind for kind in role.above if counts[kind]), "") if role and role.stands == ("rug",) else ""
-        return counts[over] > (1 if over in ALONE_ON_A_RUG else ON_A_RUG)
+        over = next((kind for kind in role.above if counts[kind]), "") if role and role.stands == (stands,) else ""
+        return over, counts[over]
 
     def _room_on_tops(self, group: Mapping[str, int]) -> bool:
         """Whether tops have room for everything that is added and can stand on some."""

@@ -177,7 +177,8 @@ def _room_for(asset: Asset, other: Asset, join: Join, covered: float) -> bool:
         return not other.is_flat
     depth, width, height = other.size
     fits = max(asset.size[:2]) <= max(depth, width) + 0.02 and min(asset.size[:2]) <= min(depth, width) + 0.02
-    return fits and height <= TOP_HEIGHT and covered + _footprint(asset) <= TOP_SHARE * depth * width
+    shared = covered == 0.0 or covered + _footprint(asset) <= TOP_SHARE * depth * width
+    return fits and height <= TOP_HEIGHT and shared
 
 
 def chain(name: str, cast: Mapping[str, Cast]) -> list[str]:
