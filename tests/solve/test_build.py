@@ -303,3 +303,13 @@ def test_machines_of_a_laundry_stand_side_by_side() -> None:
     built = compile_problem(scene, program).guess
     washer, dryer = built["washing_machine-0"], built["clothes_dryer-0"]
     assert math.dist((washer.x, washer.y), (dryer.x, dryer.y)) < 0.8
+
+
+@pytest.mark.parametrize("text", ["a waiting room", "a small waiting room with eight chairs"])
+def test_nobody_on_a_seat_at_a_wall_has_another_seat_before_the_knees(text: str) -> None:
+    built = built_from(text)
+    chairs = [pose for name, pose in built.items() if name.startswith("chair")]
+    for one in chairs:
+        c, s = math.cos(one.yaw), math.sin(one.yaw)
+        seen = [((p.x - one.x) * c + (p.y - one.y) * s, (p.y - one.y) * c - (p.x - one.x) * s) for p in chairs]
+        assert not [at for at in seen if 0.3 < at[0] < 0.75 and abs(at[1]) < 0.3]

@@ -33,6 +33,7 @@ class Saying:
     """Metres by which a gap may be smaller and larger than what is usual."""
     walls: float = 0.45  # share of the length of all walls up to which places at them are demanded; what comes later only wishes for one
     under: float = 0.2  # metres by which a seat may be left under what it stands at
+    knees: float = 0.4  # metres that stay clear before a seat at a wall
     large: float = 40.0
     along_walls: float = 1.6
     """Square metres from which on a room is furnished through its middle, and metres along its walls that are not its middle."""
@@ -260,12 +261,17 @@ class Writer:
                 yield from self._fill(wished, values | {"others": self._list(others)}, -weight if away else weight)
 
     def _cleared(self, item: Cast) -> Iterator[str]:
-        """Yield the sides that a thing wants clear, where its kind does not say it; a seat beside a thing is not pushed back."""
-        aside = item.join.slot == "beside"
+        """Yield the sides that a thing wants clear, where its kind does not say it.
+
+        A seat beside a thing is not pushed back, nor one that stands at a wall by itself: that has room for knees before it.
+        """
+        aside, at_a_wall = item.join.slot == "beside", not item.anchor and item.role.stands[:1] == ("wall",)
         in_a_block = len(self._equal(item)) >= item.role.prefer.get("block", math.inf)
         for side, depth in item.role.clear.items() if item.asset.on_floor else ():
             if side == "back" and aside:
                 continue
+            if side == "back" and at_a_wall:
+                side, depth = "front", SAYING.knees
             for one in (("left", "right") if not in_a_block else ()) if side == "side" else (side,):
                 wide = depth if depth > 0 else passage(self.scene)
                 yield _wish(f'keep_clear({self._name(item.name)}, "{one}", {wide:g})')
