@@ -236,13 +236,18 @@ Way = tuple[Relation, ...]  # relations that hold together
 
 
 def best_way(ways: Sequence[Way], scene: Scene, layout: Layout) -> tuple[Way, Outcome]:
-    """Return which of several ways holds best in a layout, and its worst outcome; of equals the first."""
+    """Return of several ways the one with the fewest unmet parts in a layout, then the least missed, and its worst outcome."""
 
     def short(outcome: Outcome) -> tuple[bool, float]:
-        return (not outcome.met, outcome.value - outcome.limit)
+        off = outcome.value - outcome.limit  # below 0 where something is too close
+        return (not outcome.met, off if outcome.met else abs(off))
 
-    measured = [(way, max((one.check(scene, layout) for one in way), key=short)) for way in ways]
-    return min(measured, key=lambda entry: short(entry[1]))
+    def lacks(outcomes: Sequence[Outcome]) -> tuple[int, float]:
+        return sum(not one.met for one in outcomes), short(max(outcomes, key=short))[1]
+
+    measured = [(way, [one.check(scene, layout) for one in way]) for way in ways]
+    best, outcomes = min(measured, key=lambda entry: lacks(entry[1]))
+    return best, max(outcomes, key=short)
 
 
 def _shown(value: object) -> str:

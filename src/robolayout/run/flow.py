@@ -189,11 +189,11 @@ class Run:
 
     def edited(self, planner: Planner, program: str | None, start: Layout, pinned: Mapping[str, Pose]) -> Attempt:
         """Mend a layout with the least change; what it does not place is planned and fitted in."""
-        start = supported(self.scene, start, pinned)
         if program is not None:
             return self.finished([self._read(program, start)], self.scene, pinned)[0]
         with self.clock.station("plan"):
-            request = PlanRequest(self.scene, placed=start, seed=self.seed, asked=self.wishes.demands)
+            placed = supported(self.scene, start, pinned)
+            request = PlanRequest(self.scene, placed=placed, seed=self.seed, asked=self.wishes.demands)
             program = planner.plan(request)
         asked = self._read(program, start)
         (least,) = self.finished([asked], self.scene, pinned)

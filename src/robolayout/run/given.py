@@ -9,8 +9,6 @@ from numbers import Integral
 from pathlib import Path
 from typing import Any
 
-import shapely
-
 from robolayout._errors import InputError, among
 from robolayout._reading import show
 from robolayout.assets import place_of
@@ -27,11 +25,9 @@ from robolayout.scene import (
     load_layout,
     load_scene,
     scene_from_dict,
-    vertical_span,
 )
-from robolayout.verify import AgentSpec
-
-LEVEL = 0.05  # metres above a top up to which something counts as standing on it
+from robolayout.solve import carrier_rank, carries
+from robolayout.verify import AgentSpec, physics
 
 USUAL = 4.0
 """Weight of what the offline planner states of a thing, where it is only wished for as what is usual."""
@@ -110,19 +106,19 @@ def pinned_poses(scene: Scene, start: Layout | None, keep: Sequence[str], free: 
 
 
 def supported(scene: Scene, start: Layout, pinned: Mapping[str, Pose]) -> Layout:
-    """Return a layout without what can only stand on others and has nothing below it: it goes where its carrier goes."""
+    """Return a layout without what can only stand on others and neither stands well nor over a top: its carrier is planned."""
+    judged, only_on_others = physics(scene, start), {a.name for a in scene.assets if place_of(a) == "object"}
 
-    def below(name: str) -> bool:
-        here, (bottom, _) = shapely.Point(start[name].x, start[name].y), vertical_span(scene.by_name[name], start[name])
-        others = ((scene.by_name[other], pose) for other, pose in start.items() if other != name)
-        return any(
-            shapely.Polygon(pose.corners(asset.size)).covers(here) and low < bottom <= high + LEVEL
-            for asset, pose in others
-            for low, high in [vertical_span(asset, pose)]
-        )
+    def over_a_top(name: str) -> bool:
+        others = ((scene.by_name[other], pose) for other, pose in start.items())
+        fit = ((other, pose) for other, pose in others if carries(other, scene.by_name[name]))
+        return any(carrier_rank(start[name], *one)[:2] == (False, 0.0) for one in fit)
 
-    only_on_others = {a.name for a in scene.assets if place_of(a) == "object"}
-    return Layout({n: pose for n, pose in start.items() if n not in only_on_others - pinned.keys() or below(n)})
+    def stays(name: str) -> bool:
+        well = judged.supported[name] and judged.collision_free[name]
+        return name in pinned or name not in only_on_others or well or over_a_top(name)
+
+    return Layout({name: pose for name, pose in start.items() if stays(name)})
 
 
 def guesses_of(layout: Mapping[str, Pose]) -> dict[str, Guess]:

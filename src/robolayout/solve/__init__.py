@@ -1,6 +1,8 @@
 """Scene and program to poses: compile, search, routes in the loop, repair."""
 
 from robolayout.solve.compile import Problem as Problem
+from robolayout.solve.compile import carrier_rank as carrier_rank
+from robolayout.solve.compile import carries as carries
 from robolayout.solve.compile import compile_problem as compile_problem
 from robolayout.solve.config import EFFORTS as EFFORTS
 from robolayout.solve.config import Effort as Effort

@@ -218,18 +218,11 @@ def _depth(name: str, parents: Mapping[str, str]) -> int:
 def _parents(
     scene: Scene, relations: Iterable[Relation], poses: Mapping[str, Pose], said: Mapping[str, Pose]
 ) -> dict[str, str]:
-    """Return what each asset stands on: as the program says, else the nearest top that holds it, else what its guess lies on."""
+    """Return what each asset stands on: as the program says, else what its guess lies on, else the nearest top that holds it."""
     parents: dict[str, str] = {}
     for on in relations:
         if isinstance(on, OnTopOf) and _depth(on.b.name, parents) < DEEPEST:
             parents.setdefault(on.a.name, on.b.name)
-    for asset in scene.assets:
-        if place_of(asset) == "object" and asset.name not in parents:
-            here = poses[asset.name].at
-            carriers = [other for other in scene.assets if _carries(other, asset) and other.name not in parents]
-            best = min(carriers, key=lambda o: (math.dist(here, poses[o.name].at), o.name), default=None)
-            if best:
-                parents[asset.name] = best.name
     for name, pose in said.items():
         asset = scene.by_name[name]
         bottom = pose.z - asset.size[2] / 2
@@ -238,6 +231,12 @@ def _parents(
             lower = [other for other, under in free if _lies_on(pose, bottom, scene.by_name[other], under)]
             if lower:
                 parents[name] = lower[0]
+    for asset in scene.assets:
+        if place_of(asset) == "object" and asset.name not in parents:
+            carriers = [other for other in scene.assets if carries(other, asset) and other.name not in parents]
+            best = min(carriers, key=lambda o: carrier_rank(poses[asset.name], o, poses[o.name]), default=None)
+            if best:
+                parents[asset.name] = best.name
     return parents
 
 
@@ -250,7 +249,14 @@ def _lies_on(pose: Pose, bottom: float, lower: Asset, under: Pose) -> bool:
     return min(abs(under.z - size[2] / 2 + height - bottom) for height in heights) <= LEVEL
 
 
-def _carries(carrier: Asset, asset: Asset) -> bool:
+def carrier_rank(pose: Pose, carrier: Asset, under: Pose) -> tuple[bool, float, float, str]:
+    """Return by what of several carriers the least is best: whether people sit on it, metres to its rectangle, to its middle; its name."""
+    (u, v), (hx, hy) = under.seen(pose.at), (carrier.size[0] / 2, carrier.size[1] / 2)
+    beside = math.hypot(max(abs(u) - hx, 0.0), max(abs(v) - hy, 0.0))
+    return any(top.is_seat for top in surfaces_of(carrier)), beside, math.hypot(u, v), carrier.name
+
+
+def carries(carrier: Asset, asset: Asset) -> bool:
     """Return whether an asset's footprint fits on another's top, at a height where things are put."""
     small, large = sorted(asset.size[:2]), sorted(carrier.size[:2])
     fits = small[0] <= large[0] and small[1] <= large[1]

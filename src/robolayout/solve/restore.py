@@ -135,8 +135,9 @@ def _nearer(
     """
     here, there = world[slot], problem.start[slot]
     off = relative(here, there)
-    least = problem.away(world) - GAIN
+    away = problem.away(world)
     for along, across, turned in ways:
+        least = away - (GAIN if (along, across, turned) != WAYS[0] else SAME)
         trial, alone, heading = world.copy(), world.copy(), there if turned else here
         pose = compose(here, np.array([along * off[0], across * off[1], 1.0, 0.0]))
         alone[slot] = np.concatenate([pose[:2], heading[2:]])
