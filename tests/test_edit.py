@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import math
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -96,6 +97,35 @@ def test_a_laid_table_stays_laid_and_its_dishes_stay_on_it() -> None:
     result = rl.generate(room.scene, start=shoved)
     assert result.report.ok and {"dining_table-0"} >= away(shoved, result.layout).keys()
     assert all(result.layout[name].z == shoved[name].z for name in dishes)
+
+
+def test_a_mirror_that_hangs_in_the_dresser_is_raised_and_that_is_told(right: rl.Result) -> None:
+    """The dresser was pushed from its wall instead, and heights changed without a word."""
+    mirror = right.layout["mirror-0"]
+    low = rl.Layout({**right.layout, "mirror-0": replace(mirror, z=0.5)})
+    result = rl.generate(right.scene, start=low)
+    assert result.report.ok and result.layout == right.layout
+    assert result.report.notes == (f"Put at another height: mirror-0 (0.50 to {mirror.z:.2f} m).",)
+    kept = rl.generate(right.scene, start=low, keep=["mirror-0"])
+    assert kept.layout["mirror-0"] == low["mirror-0"]
+
+
+def test_who_frees_too_little_is_told_what_else_is_in_the_way(right: rl.Result) -> None:
+    shoved = right.layout.moved("wardrobe-0", by=(1.2, 1.5))
+    result = rl.generate(right.scene, start=shoved, free=["double_bed-0"])
+    assert not result.report.ok and set(away(shoved, result.layout)) == {"double_bed-0"}
+    (note,) = result.report.notes
+    assert note.startswith("What is not met has to do with night_stand-0, night_stand-1, table_lamp-0")
+    assert note.endswith("which was not to move: free that, too, or leave keep and free out.")
+
+
+def test_rotations_in_radians_are_pointed_out(right: rl.Result) -> None:
+    content = right.layout.to_dict()
+    content["double_bed-0"]["rotation"] = [0.0, 0.0, 3.14159]
+    result = rl.generate(right.scene, start=content)
+    assert "The rotations of double_bed-0 look like radians; layouts are in degrees, and they were read so." in (
+        result.report.notes
+    )
 
 
 def test_what_is_kept_does_not_move_by_a_bit(right: rl.Result) -> None:

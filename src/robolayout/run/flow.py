@@ -13,7 +13,8 @@ from robolayout._errors import SceneError
 from robolayout.floor import FLOOR, cell_size
 from robolayout.planners import Critic, Group, GroupPlanner, OfflinePlanner, Planner, PlanRequest
 from robolayout.program import Program, Reconciled, read_program, reconcile
-from robolayout.run.given import as_it_was, as_scene, as_start, completed, guesses_of, pinned_poses, supported
+from robolayout.run.editing import as_it_was, hung, supported, told
+from robolayout.run.given import as_scene, as_start, completed, guesses_of, pinned_poses
 from robolayout.run.result import Attempt, Clock, Progress, Result
 from robolayout.run.verdict import make_judge
 from robolayout.scene import DRESSINGS, Agent, Layout, Pose, Scene
@@ -110,8 +111,9 @@ def generate(  # noqa: PLR0913 - the public page of everything that can be chose
         groups = planner.group(scene)
     if given is None and program is None and isinstance(planner, GroupPlanner):
         return run.by_groups(planner, groups)
-    best = run.whole(planner, program, attempts) if given is None else run.edited(planner, program, given, pinned)
-    return run.result(best, groups)
+    if given is None:
+        return run.result(run.whole(planner, program, attempts), groups)
+    return run.result(told(run.edited(planner, program, given, pinned), given, pinned), groups)
 
 
 @dataclass(frozen=True)
@@ -189,16 +191,15 @@ class Run:
 
     def edited(self, planner: Planner, program: str | None, start: Layout, pinned: Mapping[str, Pose]) -> Attempt:
         """Mend a layout with the least change; what it does not place is planned and fitted in."""
+        start = hung(self.scene, start, pinned, seed=self.seed)
         if program is not None:
             return self.finished([self._read(program, start)], self.scene, pinned)[0]
         with self.clock.station("plan"):
             placed = supported(self.scene, start, pinned)
-            request = PlanRequest(self.scene, placed=placed, seed=self.seed, asked=self.wishes.demands)
-            program = planner.plan(request)
+            program = planner.plan(PlanRequest(self.scene, placed=placed, seed=self.seed, asked=self.wishes.demands))
         asked = self._read(program, start)
         (least,) = self.finished([asked], self.scene, pinned)
-        layout = least.solution.layout
-        if self.solver != "default" or all(math.dist(start[name].at, layout[name].at) == 0.0 for name in start):
+        if self.solver != "default" or not least.solution.verdict.moved:
             return least
         usual = as_it_was(asked, self.scene, start, seed=self.seed)
         return min((least, *self.finished([usual], self.scene, pinned)), key=lambda one: one.solution.verdict.worth)

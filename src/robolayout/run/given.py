@@ -11,7 +11,6 @@ from typing import Any
 
 from robolayout._errors import InputError, among
 from robolayout._reading import show
-from robolayout.assets import place_of
 from robolayout.planners import OfflinePlanner, Planner, PlanRequest, RoomPlanner, Understanding, scene_from_sentence
 from robolayout.program import CUSTOM, Guess, Program, Statement, read_program
 from robolayout.scene import (
@@ -26,8 +25,7 @@ from robolayout.scene import (
     load_scene,
     scene_from_dict,
 )
-from robolayout.solve import carrier_rank, carries
-from robolayout.verify import AgentSpec, physics
+from robolayout.verify import AgentSpec
 
 USUAL = 4.0
 """Weight of what the offline planner states of a thing, where it is only wished for as what is usual."""
@@ -105,22 +103,6 @@ def pinned_poses(scene: Scene, start: Layout | None, keep: Sequence[str], free: 
     return {name: start[name] for name in start if name in staying}
 
 
-def supported(scene: Scene, start: Layout, pinned: Mapping[str, Pose]) -> Layout:
-    """Return a layout without what can only stand on others and neither stands well nor over a top: its carrier is planned."""
-    judged, only_on_others = physics(scene, start), {a.name for a in scene.assets if place_of(a) == "object"}
-
-    def over_a_top(name: str) -> bool:
-        others = ((scene.by_name[other], pose) for other, pose in start.items())
-        fit = ((other, pose) for other, pose in others if carries(other, scene.by_name[name]))
-        return any(carrier_rank(start[name], *one)[:2] == (False, 0.0) for one in fit)
-
-    def stays(name: str) -> bool:
-        well = judged.supported[name] and judged.collision_free[name]
-        return name in pinned or name not in only_on_others or well or over_a_top(name)
-
-    return Layout({name: pose for name, pose in start.items() if stays(name)})
-
-
 def guesses_of(layout: Mapping[str, Pose]) -> dict[str, Guess]:
     """Return the poses of a layout as guesses."""
     return {name: Guess((pose.x, pose.y, pose.z), pose.yaw) for name, pose in layout.items()}
@@ -130,26 +112,18 @@ def completed(asked: Program, scene: Scene, *, seed: int) -> Program:
     """Return a program that wishes what is usual of the things it says nothing about; a full one as it is."""
     if not (silent := {*asked.forgotten()}):
         return asked
-    usual = _usual(scene, seed)
-    return _with(asked, [one for one in usual if asked.expressions[one.relation.asset_names()[0]] in silent])
+    usual = usual_wishes(scene, seed)
+    return with_wishes(asked, [one for one in usual if asked.expressions[one.relation.asset_names()[0]] in silent])
 
 
-def as_it_was(asked: Program, scene: Scene, start: Layout, *, seed: int) -> Program:
-    """Return a program that also wishes what is usual and holds in a layout, so that mending it keeps that."""
-    said = {one.relation for one in (*asked.statements, *asked.wishes)}
-    new = (one for one in _usual(scene, seed) if one.relation not in said)
-    there = (one for one in new if {*one.relation.asset_names()} <= start.keys())
-    return _with(asked, [one for one in there if one.relation.check(scene, start).met])
-
-
-def _usual(scene: Scene, seed: int) -> list[Statement]:
+def usual_wishes(scene: Scene, seed: int) -> list[Statement]:
     """Return what the offline planner states and wishes of a scene, all as wishes for what is usual."""
     found = read_program(OfflinePlanner().plan(PlanRequest(scene, seed=seed)), scene)
     told = (*found.statements, *found.wishes)
     return [replace(one, wish=USUAL if one.wish is None else one.wish, by=CUSTOM, line=0) for one in told]
 
 
-def _with(asked: Program, wishes: Iterable[Statement]) -> Program:
+def with_wishes(asked: Program, wishes: Iterable[Statement]) -> Program:
     """Return a program with so many wishes more, numbered on."""
     more = (replace(one, number=number) for number, one in enumerate(wishes, len(asked.wishes) + 1))
     return replace(asked, wishes=(*asked.wishes, *more))
