@@ -63,7 +63,7 @@ def test_written_layouts_read_back(poses: list[tuple[float, float, float, float]
         (
             {"walls": entry()},
             "the layout places 'walls', which is not in the scene. Known: bed-0, lamp-0. "
-            "What lies about in a dressed room is in the scene.json of its run: give that.",
+            "Take it out, or give the scene.json of the run, which has what lies about.",
         ),
         ({"bed-0": None}, "layout['bed-0'] must be an object with named values, but is None."),
         ({"bed-0": {"rotation": [0]}}, "layout['bed-0'] has no \"position\"; add it."),

@@ -86,6 +86,7 @@ class Program:
     expressions: Mapping[str, str] = field(default_factory=dict[str, str], compare=False, repr=False)
     wishes: tuple[Statement, ...] = ()  # what it would like, and no more; each with its weight
     remarks: tuple[str, ...] = ()  # what was read otherwise than it is written, in sentences
+    mends: bool = False  # whether its guesses are a layout to mend, where what stays shut is no reason to move things
 
     @property
     def complete(self) -> bool:

@@ -228,7 +228,7 @@ class Run:
         with self.clock.station("program"):
             self.say("program")
             asked = self.wishes.marked(read_program(text, self.scene))
-            asked = replace(asked, guesses={**asked.guesses, **guesses_of(start or {})})
+            asked = replace(asked, guesses={**asked.guesses, **guesses_of(start or {})}, mends=start is not None)
             return completed(asked, self.scene, seed=self.seed) if self.solver == "default" else asked
 
     def _tried(self, seed: int, asked: Program, *, judged: bool) -> _Try:

@@ -50,7 +50,8 @@ def make_judge(scene: Scene, program: Program) -> Judge:
                 if enough(replace(found, access=access + _missing(report, fixable), soft=soft)):
                     break
             else:
-                shut = [hold.asset for hold in report.usage.holds if not hold.poses]
+                holds = () if program.mends else report.usage.holds
+                shut = [hold.asset for hold in holds if not hold.poses]
                 soft += WORTH.shut * len(shut)
                 blamed += _blamed(report, [*fixable, *dict.fromkeys(shut)])
             access += _missing(report, fixable)

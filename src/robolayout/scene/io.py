@@ -105,7 +105,7 @@ def check_layout(scene: Scene, layout: Layout, *, partial: bool) -> None:
         if name not in scene.by_name:
             hint = did_you_mean(name[:200], scene.by_name)
             known = ", ".join(sorted(scene.by_name)) or "none"
-            more = "" if hint else " What lies about in a dressed room is in the scene.json of its run: give that."
+            more = "" if hint else " Take it out, or give the scene.json of the run, which has what lies about."
             raise LayoutError(f"the layout places {show(name)}, which is not in the scene.{hint} Known: {known}.{more}")
         if not pose.is_finite:
             raise LayoutError(
