@@ -74,7 +74,8 @@ class InRows(Relation):
         ahead = [{math.cos(layout[item.name].yaw - here.yaw) > 0 for item in line} for line in lines]
         off = max(seen[line[-1]][0] - seen[line[0]][0] for line in lines)
         longest = max(map(len, lines))
-        even = self.rows is None or (len(lines) == self.rows and longest <= math.ceil(len(self.items) / self.rows))
+        even = len(lines) == (self.rows or len(lines))
+        even = even and longest <= math.ceil(len(self.items) / (self.rows or min(len(lines), 2)))
         turns = [[{(k % 2 == first) == (self.backs == "facing")} for k in range(len(lines))] for first in (0, 1)]
         by_turns = self.backs == "alike" or ahead in turns[: 1 + len(lines) % 2]  # one row of three is by itself
         close, aside, aisles = self._measured(scene, seen, lines, ahead)

@@ -17,6 +17,7 @@ from robolayout.scene.agent import horizontal_reach
 TOP_HEIGHT = 1.45  # metres above which nothing is put on a top: out of sight and of most hands
 BEYOND = 0.03  # metres beyond its own edge that an arm must get to a thing on a top
 TOP_SHARE = 0.55  # share of a top that may be covered
+FILLED = 0.4  # metres of height from which on a top may be filled by a single thing, as that of a printer stand
 NARROWEST = 0.6  # metres that people need to get to a side of a thing
 
 
@@ -177,7 +178,8 @@ def _room_for(asset: Asset, other: Asset, join: Join, covered: float) -> bool:
         return not other.is_flat
     depth, width, height = other.size
     fits = max(asset.size[:2]) <= max(depth, width) + 0.02 and min(asset.size[:2]) <= min(depth, width) + 0.02
-    shared = covered == 0.0 or covered + _footprint(asset) <= TOP_SHARE * depth * width
+    alone = covered == 0.0 and height >= FILLED
+    shared = alone or covered + _footprint(asset) <= TOP_SHARE * depth * width
     return fits and height <= TOP_HEIGHT and shared
 
 

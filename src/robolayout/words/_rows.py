@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from itertools import pairwise
 
 from robolayout.constraints import AssetRef, PointRef, WallRef
@@ -14,6 +15,9 @@ from robolayout.words import _function_words as small
 from robolayout.words._said import Link
 from robolayout.words._ways import ACROSS, AISLE, BACK, BESIDE, NEAR, looks_over
 from robolayout.words.demands import Demand, single, stated
+
+WIDER = 1.5
+"""How many times as many things are abreast as there are rows, where neither is said."""
 
 End = AssetRef | PointRef
 """What a thing can stand between."""
@@ -73,7 +77,17 @@ class ToldRows:
         # of those that are side by side, the one that tells how the others are turned
         self.middle = {name: named[len(named) // 2] for named in abreast for name in named}
         self.gap = {name: link.metres[0] for link, named, _ in told for name in named}
-        self.count = {name: lines(scene, link, named) for link, named, _ in told for name in named}
+        counted = [(named, lines(scene, link, named)) for link, named, _ in told]
+        facing = {name for link, named, _ in links if link.relation == "facing" for name in named}
+        # what stands in rows of which no number is said and looks somewhere: in about as many rows as are usual
+        self.uncounted = {
+            name for named, count in counted if count is None and len(named) > 3 for name in facing & {*named}
+        }
+        usual = (
+            (named, round(math.sqrt(len(named) / WIDER)) if named[0] in self.uncounted else count)
+            for named, count in counted
+        )
+        self.count = {name: count for named, count in usual for name in named}
         self.abreast = {name: math.ceil(len(named) / (self.count[name] or 1)) for _, named, _ in told for name in named}
         formed = ((link.relation, named) for link, named, _ in links if link.relation in small.SHAPES)
         self.shape = {
@@ -96,12 +110,16 @@ class ToldRows:
         return [names[i : i + count] for i in range(0, len(names), count)]
 
     def block(self, names: Sequence[str]) -> Demand:
-        """Return that such things stand in their rows, or in their shape."""
+        """Return that such things stand in their rows, in any number of them where none is said, or in their shape."""
         if names[0] in self.shape:
             return single(self.shape[names[0]])
         turned, amid = self.turned.get(names[0], "alike"), names[0] in self.flanked
         gap, aisle = self.gap.get(names[0], 0.0), self.aisle.get(names[0], 0.0)
-        return in_rows(names, self.count.get(names[0]), turned, amid=amid, gap=gap, aisle=aisle)
+        count = self.count.get(names[0])
+        block = in_rows(names, count, turned, amid=amid, gap=gap, aisle=aisle)
+        others = {*range(2, len(names) // 2 + 1)} - {count} if names[0] in self.uncounted else ()
+        also = (in_rows(names, k, turned, amid=amid, gap=gap, aisle=aisle).ways for k in others)
+        return replace(block, also=tuple(way for ways in also for way in ways))
 
     def opening(self, names: Sequence[str], to: Sequence[End]) -> Iterator[Demand]:
         """Yield that a shape is open to something that it stands before; a circle has it in its middle."""

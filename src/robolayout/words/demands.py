@@ -49,12 +49,13 @@ class Demand:
     ways: tuple[Way, ...]  # statements of the public vocabulary; one of these ways is enough
     exact: BetweenTwo | None = None  # what is judged instead, where the ways only lead there
     gap: EdgeGap | None = None  # the same of metres between edges
+    also: tuple[Way, ...] = ()  # further ways that are as good, of which planners need not know
 
     def measure(self, scene: Scene, layout: Layout) -> Outcome:
         """Return how the demand stands: the outcome of the worst statement of its best way."""
         if (judged := self.exact or self.gap) is not None:
             return judged.check(scene, layout)
-        worst = [_worst([relation.check(scene, layout) for relation in way]) for way in self.ways]
+        worst = [_worst([relation.check(scene, layout) for relation in way]) for way in (*self.ways, *self.also)]
         return min(worst, key=lambda outcome: (not outcome.met, outcome.value - outcome.limit))
 
     def names(self) -> frozenset[str]:
