@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import math
 import xml.etree.ElementTree as ET
+from pathlib import Path
 
 import mujoco
 import numpy as np
 import pytest
+import trimesh
 
 from robolayout._errors import LayoutError
 from robolayout.assets import category_of, parts
@@ -16,7 +18,7 @@ from robolayout.export._exporter import is_movable, mass
 from robolayout.export._mesh import as_box
 from robolayout.export._mujoco import load
 from robolayout.export.mjcf import AGENT, BASE, build, start
-from robolayout.scene import DEFAULT_AGENT, Agent, Layout, Pose, Scene
+from robolayout.scene import DEFAULT_AGENT, Agent, Asset, Layout, Pose, Room, Scene
 
 ROUTES = {"wardrobe-0": [(4.0, 0.5), (4.0, 2.0)]}
 GIVEN = Options(agent=DEFAULT_AGENT, routes=ROUTES, start=Pose(4.0, 0.5, 0.0, math.pi / 2))
@@ -56,6 +58,15 @@ def test_movable_things_are_free_and_weigh_what_they_should(sim: tuple, scene: S
     for asset in scene.assets:
         if not asset.is_flat:
             assert model.body(asset.name).subtreemass == pytest.approx(mass(asset), rel=1e-5)
+
+
+def test_a_mesh_of_ones_own_weighs_what_its_kind_does(tmp_path: Path) -> None:
+    seat, back = (trimesh.creation.box((0.52, 0.47, side)) for side in (0.05, 0.88))
+    trimesh.util.concatenate([seat, back.apply_scale((0.1, 1, 1))]).export(tmp_path / "chair.stl")  # in one concave piece
+    chair = Asset("chair-0", "chair", (0.52, 0.47, 0.88), path=tmp_path / "chair.stl")
+    scene = Scene(Room(((0, 0), (3, 0), (3, 3), (0, 3)), 2.5), (chair,))
+    model, _ = loaded(scene, Layout({"chair-0": Pose(1.5, 1.5, 0.44, 0.0)}), Options())
+    assert model.body("chair-0").mass == pytest.approx(6.0)  # kg of a chair of the usual size, not of as much water
 
 
 def test_friction_is_that_of_the_category(sim: tuple, scene: Scene) -> None:

@@ -149,7 +149,7 @@ def _geom(model: _Model, body: ET.Element, thing: BodyTree, shape: BodyShape, fo
     note = {"name": f"{thing.name}/{shape.name}", "class": "solid" if shape.touched else "look"}
     if shape.touched:
         note["friction"] = f"{thing.friction:.6g} 0.005 0.0001"
-    if shape.touched and shape.mass:
+    if thing.asset is not None or shape.mass:  # a solid of an own mesh has none: what is seen of it has all
         note["mass"] = f"{shape.mass:.9g}"
     note |= {"material": _material(model, shape.part.material)} if shape.seen else {"rgba": "0 0 0 0"}
     box = shape.box
