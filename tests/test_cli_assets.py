@@ -5,6 +5,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
+import trimesh
 from PIL import Image
 
 from running import Ran
@@ -62,7 +63,27 @@ def test_bad_input_is_refused_in_words(
     assert said in ran.err
 
 
-def test_words_with_an_asset_folder_are_refused_with_the_way_that_takes_it(command: Callable[..., Ran]) -> None:
-    ran = command("generate", "a bedroom", "--asset-dir", "own")
-    assert ran.code == 2
-    assert """robolayout batch SENTENCE --set 'catalogues=["own"]'.""" in ran.err
+def test_words_name_meshes_of_ones_own(tmp_path: Path, command: Callable[..., Ran]) -> None:
+    own, out = tmp_path / "own", tmp_path / "out"
+    own.mkdir()
+    trimesh.creation.icosphere(radius=0.3).export(own / "wumbus.ply")
+    trimesh.creation.box((0.5, 0.45, 0.9)).export(own / "WoodChair.ply")
+    told = {"WoodChair.ply": {"up": "+z", "front": "+x", "unit": "m"}}
+    (own / "corrections.json").write_text(json.dumps(told))
+    words = "a room with two wumbuses in a corner and a wood chair by the door"
+    ran = command("generate", words, "--asset-dir", own, "--out", out, "--no-pictures")
+    assert ran.code == 0, ran.err
+    assert "Wished: 2 wumbus, 1 Wood Chair." in ran.err
+    assets = json.loads((out / "scene.json").read_text())["assets"]
+    meshes = {
+        name: (Path(entry["path"]).name, entry["assetMetadata"]["boundingBox"])
+        for name, entry in assets.items()
+        if "path" in entry
+    }
+    ball = ("wumbus.ply", {"x": 0.6, "y": 0.6, "z": 0.6})
+    chair = ("WoodChair.ply", {"x": 0.5, "y": 0.45, "z": 0.9})
+    assert meshes == {"wumbus-0": ball, "wumbus-1": ball, "wood_chair-0": chair}
+    asked = json.loads((out / "report.json").read_text())["asked"]
+    assert {row["verdict"] for row in asked} == {"met"} and len(asked) >= 4, asked
+    nowhere = command("generate", words, "--asset-dir", tmp_path / "nowhere", "--out", out)
+    assert (nowhere.code, "asset folder 'nowhere' does not exist" in nowhere.err) == (2, True)

@@ -62,7 +62,9 @@ def test_movable_things_are_free_and_weigh_what_they_should(sim: tuple, scene: S
 
 def test_a_mesh_of_ones_own_weighs_what_its_kind_does(tmp_path: Path) -> None:
     seat, back = (trimesh.creation.box((0.52, 0.47, side)) for side in (0.05, 0.88))
-    trimesh.util.concatenate([seat, back.apply_scale((0.1, 1, 1))]).export(tmp_path / "chair.stl")  # in one concave piece
+    trimesh.util.concatenate([seat, back.apply_scale((0.1, 1, 1))]).export(
+        tmp_path / "chair.stl"
+    )  # in one concave piece
     chair = Asset("chair-0", "chair", (0.52, 0.47, 0.88), path=tmp_path / "chair.stl")
     scene = Scene(Room(((0, 0), (3, 0), (3, 3), (0, 3)), 2.5), (chair,))
     model, _ = loaded(scene, Layout({"chair-0": Pose(1.5, 1.5, 0.44, 0.0)}), Options())

@@ -9,7 +9,8 @@ import pytest
 
 from robolayout.assets import CATALOGUE, category_of, find_category
 from robolayout.planners import OfflinePlanner, scene_from_sentence
-from robolayout.scene import Asset, Room, Scene, scene_from_dict, scene_to_dict
+from robolayout.scene import Asset, Layout, Pose, Room, Scene, scene_from_dict, scene_to_dict
+from robolayout.words import read_words
 from running import Ran
 
 MUSIC = """
@@ -39,6 +40,27 @@ size = [4.5, 4.0]
 base = { "concert harp" = 1, "ceiling lamp" = 1 }
 """
 ROOM = Room(((0, 0), (4.5, 0), (4.5, 4), (0, 4)), 2.5)
+
+
+NAMED = """
+["Прялка"]
+like = "easel"
+synonyms = ["Saxony-Wheel"]
+"""
+
+
+def test_own_words_are_known_however_they_are_written_and_to_the_judge(tmp_path: Path) -> None:
+    (tmp_path / "crafts.toml").write_text(NAMED, "utf-8")
+    words = "a living room with a saxony wheel by the window, a прялка, and an armchair facing the saxony wheel"
+    scene, understood = scene_from_sentence(words, knowledge=[tmp_path / "crafts.toml"])
+    assert (understood.wished, understood.ignored) == ({"Прялка": 2, "armchair": 1}, ())
+    assert scene_from_dict(scene_to_dict(scene)).by_name["u43f_u440_u44f_u43b_u43a_u430-0"].synonyms == (
+        "Saxony-Wheel",
+    )
+    placed = Layout({asset.name: Pose(1.0, 1.0, 1.0, 0.0) for asset in scene.assets})
+    rows = {row.words: row.verdict for row in read_words(scene).judged(scene, placed)}
+    assert (rows["a saxony wheel"], rows["a прялка"]) == ("met", "met")
+    assert "not understood" not in rows.values(), rows
 
 
 @pytest.fixture

@@ -9,6 +9,7 @@ from robolayout.assets.category import CATALOGUE, Category, read_categories
 from robolayout.assets.lexicon import category_of, find_category, place_of, unknown_kinds
 
 if TYPE_CHECKING:
+    from robolayout.assets.catalogue import own_assets, own_kinds
     from robolayout.assets.folder import import_folder
     from robolayout.assets.joints import Sweep, sweeps_of, turned
     from robolayout.assets.meshes import parts
@@ -20,7 +21,7 @@ if TYPE_CHECKING:
 
 __all__ = [
     "CATALOGUE", "Category", "Joint", "Material", "Part", "Prism", "RoomStyle", "Surface", "Sweep", "category_of",
-    "check_meshes", "find_category", "import_folder", "load_mesh_parts", "parts", "place_of", "prisms_of",
+    "check_meshes", "find_category", "import_folder", "load_mesh_parts", "own_assets", "own_kinds", "parts", "place_of", "prisms_of",
     "read_categories", "resting_place", "room_parts", "room_style", "surfaces_of", "sweeps_of", "turned", "unknown_kinds",
 ]  # fmt: skip
 __getattr__ = loader(__name__, __file__)  # loads the names that need array libraries when they are first used

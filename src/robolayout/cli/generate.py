@@ -131,11 +131,6 @@ def generate(asked: Call) -> None:
     given = None
     if names_a_file(asked.scene):
         given = asked.read(asked.scene, asked.knowledge or (), quiet=asked.quiet)
-    elif asked.asset_dir is not None and not asked.asks_a_model:
-        raise InputError(
-            "--asset-dir is for scene files and models; words get meshes of your own by "
-            f"robolayout batch SENTENCE --set 'catalogues=[\"{asked.asset_dir}\"]'."
-        )
     whole = asked.out or Path("out") / (file_name(given.name) if given else "scene")
     met = True
     before: list[Plan] = []

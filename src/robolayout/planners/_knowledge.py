@@ -34,6 +34,7 @@ STANDS = tuple(slot for slot in DATA["slots"] if slot not in SLOTS)  # ways of s
 GROUP_KEYS = ("label", "order", "why")  # what the head of a file says
 TOP_KEYS = (*HEADS, *GROUP_KEYS, "thing", "rooms")
 """What a file may hold at its top, beside records; `label`, `order`, `why` and `thing` are the older form."""
+OWN = "own things"  # label of the group of a file that names none
 MAX_BYTES = 1_000_000  # largest knowledge file in bytes; the built-in ones have at most 12,000
 MOST = 200  # things of one kind that a room type may have
 _CHECK = Checker(SceneError)
@@ -171,7 +172,9 @@ class Knowledge:
         """Read one file, by its name where it is one of the user's own."""
         records = {key: value for key, value in data.items() if key not in TOP_KEYS and isinstance(value, Mapping)}
         among("key", [key for key in data if key not in records], TOP_KEYS)
-        head = data.get("group", {key: data[key] for key in GROUP_KEYS if key in data})
+        head = data.get("group") or ({"label": OWN} if data else {}) | {
+            key: data[key] for key in GROUP_KEYS if key in data
+        }
         group = build(Head, head, "its group" if "group" in data else "its top")
         self.groups[group.label] = group
         roles = [_role(entry, group) for entry in _named(data.get("role", []), "role")]

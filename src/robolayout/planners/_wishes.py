@@ -42,6 +42,7 @@ FOOTLESS = 0.09
 """Metres that a thing stands out from a wall at the most where it hangs there instead of standing on its foot."""
 
 Size = tuple[float, float, float]
+EMPTY: Mapping[str, Category] = {}
 
 APART = 0.25  # metres between things that lie on a rug or sit in a line
 LONGEST = 50.0  # metres of the longest thing that a room is furnished with
@@ -76,6 +77,7 @@ class RoomWishes:
     rooms: RoomTypes  # the room types and bodies that are known
     lexicon: Lexicon  # the kinds of things that are known
     roles: Mapping[str, Role]  # what things are for, by the names of things
+    meshes: Collection[str] = ()  # names of the kinds of which there is a mesh of the user's own, which keeps its size
 
     @cached_property
     def things(self) -> Mapping[str, int]:
@@ -102,7 +104,7 @@ class RoomWishes:
     @cached_property
     def kinds(self) -> Mapping[str, Category]:
         """All kinds of things, those of the user's own too, as they were first asked for: other words, other sizes."""
-        shared = (self.lexicon.kinds[name] for name in self.room.base if self._shared(name))
+        shared = (self.lexicon.kinds[name] for name in self.room.base if self._shared(name) and name not in self.meshes)
         people = self.reading.people
         usual = {kind.name: replace(kind, size=self._seating(kind.name, kind.size, people)) for kind in shared}
         return {**self.lexicon.kinds, **usual, **{kind.name: kind for kind in reversed(self.asked.values())}}
@@ -213,7 +215,10 @@ class RoomWishes:
         name, shown = self.kind(thing), self._shown(thing)
         kind = self.lexicon.kinds[name]
         told = {"square", *(SIZE_WORDS if name != thing.noun.kind else ())} & {*thing.noun.said.split()}
-        size = self._large_enough(thing, sized(kind, (*thing.adjectives, *told), thing.sizes, thing.noun.said))
+        if name in self.meshes:
+            size = sized(kind, (), thing.sizes)
+        else:
+            size = self._large_enough(thing, sized(kind, (*thing.adjectives, *told), thing.sizes, thing.noun.said))
         if not all(0.0 < side <= LONGEST for side in size):
             shape = f"{' x '.join(f'{side:g}' for side in size)} m"
             raise SceneError(f"a {shown} of {shape} cannot be placed; give it sides above 0 and at most {LONGEST:g} m.")
@@ -289,14 +294,17 @@ class RoomWishes:
         return name.endswith("table") and name in self.room.base and own == {"chair"} and not self.room.tables
 
 
-def read_wishes(text: str, own: Knowledge) -> RoomWishes:
-    """Return what a text asks of a new room; one that is empty, or names neither a room nor a thing, is refused."""
+def read_wishes(text: str, own: Knowledge, meshes: Mapping[str, Category] = EMPTY) -> RoomWishes:
+    """Return what a text asks of a new room; one that is empty, or names neither a room nor a thing, is refused.
+
+    `meshes` are the kinds of which there is a mesh of the user's own, by name.
+    """
     if not text.strip():
         raise SceneError('the sentence is empty; say for example "a bedroom for two with a desk, 4 x 5 m".')
     if len(text) > LIMITS.text:
         raise SceneError(f"the sentence has {len(text)} characters; say it in at most {LIMITS.text}.")
     rooms = read_rooms(own.rooms.values())
-    lexicon = Lexicon(rooms, tuple(own.things.values()))
+    lexicon = Lexicon(rooms, (*meshes.values(), *own.things.values()))
     reading = read_text(text, lexicon)
     room, guesses = _room(reading, rooms)
     guesses += [
@@ -304,7 +312,7 @@ def read_wishes(text: str, own: Knowledge) -> RoomWishes:
         for thing in reading.parsed.things
         if thing.noun.guessed and not thing.noun.kind.startswith("unknown")
     ]
-    wishes = RoomWishes(reading, room, tuple(guesses), rooms, lexicon, own.playing)
+    wishes = RoomWishes(reading, room, tuple(guesses), rooms, lexicon, own.playing, meshes.keys() - own.things.keys())
     things = reading.parsed.things
     chairs = [one for one in things if one.head == "chair" and one.plural and one.number is None and not one.bound]
     for thing in things:

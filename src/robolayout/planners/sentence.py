@@ -15,7 +15,8 @@ from pathlib import Path
 import numpy as np
 
 from robolayout._errors import SceneError
-from robolayout.assets import CATALOGUE, Category
+from robolayout.assets import CATALOGUE, Category, own_assets, own_kinds
+from robolayout.assets.catalogue import Entry
 from robolayout.assets.palette import PALETTES
 from robolayout.constraints.in_shape import shape_slots
 from robolayout.planners._added import COMFORT, LARGER, SEATS, SPARE, Added, both
@@ -98,6 +99,7 @@ def scene_from_sentence(
     knowledge: Iterable[str | Path] = (),
     fill: float = COMFORT,
     agents: Sequence[Agent] = (),
+    assets: str | Path | None = None,
 ) -> tuple[Scene, Understanding]:
     """Return a scene for a sentence, and what was understood of it.
 
@@ -108,12 +110,17 @@ def scene_from_sentence(
         knowledge: Files of your own, whose things and rooms are known besides the built-in ones.
         fill: Share of the floor up to which further things are added.
         agents: The bodies of the room; else the one that the sentence names, or that is usual there.
+        assets: Folder of meshes of your own, with a `catalogue.json` or without: named by their own words, and taken
+            wherever something of their kind stands.
 
     Raises:
         SceneError: The sentence is empty, names no room, or wishes more than the room can hold.
     """
     rng = np.random.default_rng((seed, variant))
-    wishes = read_wishes(text, load_knowledge(Path(path) for path in knowledge))
+    own, picks = own_kinds(own_assets(Path(assets))) if assets else {}, np.random.default_rng((seed, variant))
+    meshes = {name: made[int(picks.integers(len(made)))] for name, made in own.items()}
+    known = load_knowledge(Path(path) for path in knowledge)
+    wishes = read_wishes(text, known, {name: kind for name, (kind, _) in meshes.items()})
     wished = _wished(wishes)
     stretch = float(np.exp(rng.uniform(-SIZES.stretch, SIZES.stretch))) if variant else 1.0
     size = _room_size(wishes, wished, stretch)
@@ -129,7 +136,8 @@ def scene_from_sentence(
     found = Understanding(
         text.strip(), kind, size, wishes.reading.shape, height, agent, wished, added, assumed, wishes.ignored
     )
-    return scene_from_dict(_scene(found, wishes, rng, varied=variant > 0)), found
+    entries = {name: entry for name, (_, entry) in meshes.items() if name in wishes.meshes}
+    return scene_from_dict(_scene(found, wishes, rng, entries, varied=variant > 0), asset_dir=assets), found
 
 
 def _wished(wishes: RoomWishes) -> dict[str, int]:
@@ -334,7 +342,9 @@ def _assumed(wishes: RoomWishes, size: tuple[float, float], height: float, wishe
             yield f"The walls are {height:g} m high, so {kind.name} is {height - SPARE:g} m high, not {kind.size[2]:g} m."
 
 
-def _scene(found: Understanding, wishes: RoomWishes, rng: np.random.Generator, *, varied: bool) -> dict[str, object]:
+def _scene(
+    found: Understanding, wishes: RoomWishes, rng: np.random.Generator, meshes: Mapping[str, Entry], *, varied: bool
+) -> dict[str, object]:
     """Return the scene file's content for what was understood."""
     width, depth = found.size
     outline = [(0.0, 0.0), (width, 0.0), (width, depth), (0.0, depth)]
@@ -352,25 +362,28 @@ def _scene(found: Understanding, wishes: RoomWishes, rng: np.random.Generator, *
         "boundary": {"floor_vertices": [[*at, 0.0] for at in outline], "wall_height": found.height, "floor": covering},
         "doors": [vars(door) for door in room.doors],
         "windows": [vars(window) for window in room.windows],
-        "assets": _assets(found, wishes, style, rng),
+        "assets": _assets(found, wishes, style, rng, meshes),
         **({} if found.agent is None else {"agent": found.agent}),
     }
 
 
-def _assets(found: Understanding, wishes: RoomWishes, style: str, rng: np.random.Generator) -> dict[str, object]:
+def _assets(
+    found: Understanding, wishes: RoomWishes, style: str, rng: np.random.Generator, meshes: Mapping[str, Entry]
+) -> dict[str, object]:
     """Return the asset list: sizes and looks as said, or within 6 % of typical ones; what is added of a kind is like the first of it."""
     assets: dict[str, object] = {}
     for kind, count in ((wishes.kinds[name], count) for name, count in both(found.wished, found.added).items()):
+        mesh = meshes.get(kind.name if kind.name in wishes.lexicon.kinds else kind.like, {})
         scale, told = 1.0 + 0.06 * float(rng.uniform(-1, 1)), wishes.told(kind.name)
         for index in range(count):
             thing = told[index if index < len(told) else 0] if told else None
             usual = kind.size if thing is None else wishes.asked[thing].size
-            d, w, h = (round(max(0.01, value * (scale if kind.on_floor else 1.0)), 3) for value in usual)
+            d, w, h = (round(max(0.01, value * (scale if kind.on_floor and not mesh else 1.0)), 3) for value in usual)
             for measure in thing.sizes if thing is not None else ():
                 d, w, h = measure.on((d, w, h))
             size = (d, w, min(h, round(found.height - SPARE, 3)))
             look = ", ".join((style, *(thing.look if thing is not None else ())))
-            assets[f"{variable_name(kind.name)}-{index}"] = asset_entry(kind, size) | {"look": look}
+            assets[f"{variable_name(kind.name)}-{index}"] = {**mesh, **asset_entry(kind, size), "look": look}
     return assets
 
 
@@ -379,7 +392,8 @@ def asset_entry(kind: Category, size: Sequence[float]) -> dict[str, object]:
     own: dict[str, object] = {}
     if kind.like:
         usual = CATALOGUE[kind.like]
-        own["like"] = kind.like
+        own |= {"like": kind.like} if usual.group != "unknown" else {}
+        own |= {"synonyms": list(kind.synonyms)} if kind.synonyms not in ((), usual.synonyms) else {}
         own |= {"parts": kind.parts} if kind.parts not in (usual.parts, *CATALOGUE) else {}  # else drawn as that
         own |= {"useSides": list(kind.use_sides)} if kind.use_sides != usual.use_sides else {}
     return {

@@ -68,7 +68,7 @@ def furnished(
     """Return the scene of words, and what was understood: by the planner where it is a model, else by rules."""
     if isinstance(planner, RoomPlanner):
         return planner.furnish(text, assets=assets)
-    return scene_from_sentence(text, seed=seed, variant=variant, knowledge=knowledge, agents=agents)
+    return scene_from_sentence(text, seed=seed, variant=variant, knowledge=knowledge, agents=agents, assets=assets)
 
 
 def names_a_file(text: str) -> bool:

@@ -16,7 +16,19 @@ NO_TEXT = "\ufffe\uffff"  # code points that are no characters, and that XML can
 SIDES = ("front", "back", "left", "right")  # sides that an asset can be used from
 _CHECK, _ASSET = Checker(SceneError), Checker(AssetError)
 Entry = Mapping[str, object]  # one asset as a scene file gives it
-_KNOWN = ("category", "description", "path", "useSides", "like", "parts", "without", "from", "assetMetadata", *FLAGS)
+_KNOWN = (
+    "category",
+    "description",
+    "path",
+    "useSides",
+    "like",
+    "synonyms",
+    "parts",
+    "without",
+    "from",
+    "assetMetadata",
+    *FLAGS,
+)
 
 
 def read_assets(data: Entry, base: Path | None, asset_dir: Path | None, warnings: list[str]) -> tuple[Asset, ...]:
@@ -53,7 +65,7 @@ def write_asset(asset: Asset, base: Path | None = None) -> dict[str, object]:
         entry["path"] = (asset.path.relative_to(base.resolve()) if base and near else asset.path).as_posix()
     if asset.use_sides is not None:
         entry["useSides"] = list(asset.use_sides)
-    own = {"like": asset.like, "parts": asset.parts, "without": list(asset.without)}
+    own = {"like": asset.like, "synonyms": list(asset.synonyms), "parts": asset.parts, "without": list(asset.without)}
     entry |= {key: value for key, value in own.items() if value}
     return entry | {key: value for key, value in asset.metadata.items() if key not in entry}
 
@@ -104,12 +116,15 @@ def _asset(name: str, entry: Entry, folders: list[Path], warnings: list[str]) ->
         use_sides=_sides(entry.get("useSides"), where),
         like=_CHECK.text(entry.get("like", ""), f"{where}: like", most=200),
         parts=_CHECK.text(entry.get("parts", ""), f"{where}: parts"),
-        without=tuple(
-            _CHECK.text(name, f"{where}: without")
-            for name in _CHECK.sequence(entry.get("without", []), f"{where}: without", most=LIMITS.without)
-        ),
+        synonyms=_words(entry, "synonyms", where),
+        without=_words(entry, "without", where),
         metadata={key: _CHECK.plain(value, f"{where}: {key}") for key, value in entry.items() if key not in _KNOWN},
     )
+
+
+def _words(entry: Entry, key: str, where: str) -> tuple[str, ...]:
+    words = _CHECK.sequence(entry.get(key, []), f"{where}: {key}", most=LIMITS.without)
+    return tuple(_CHECK.text(word, f"{where}: {key}", most=200) for word in words)
 
 
 def _size(entry: Entry, where: str) -> tuple[float, float, float]:

@@ -33,6 +33,7 @@ class Asset:
     parts: str = ""  # rows that say what it is made of (docs/assets.md); empty where its category says so
     # names of its parts that are left out: what is drawn on a shelf where real things lie
     without: tuple[str, ...] = ()
+    synonyms: tuple[str, ...] = ()  # other words by which sentences name it
     # any further keys of the scene file, kept for writing
     metadata: dict[str, object] = field(default_factory=dict[str, object], compare=False)
 

@@ -14,7 +14,7 @@ from typing import Any
 from robolayout.assets import CATALOGUE, Category, category_of, find_category
 from robolayout.assets.lexicon import phrase_index, singular
 from robolayout.assets.palette import LOOKS
-from robolayout.scene import Scene
+from robolayout.scene import Asset, Scene
 from robolayout.words._function_words import ALIKE, BEFORE_NOUNS, JOINED
 from robolayout.words.rooms import RoomTypes
 
@@ -109,10 +109,11 @@ class Lexicon:
     """All nouns of room types, bodies, own categories, and of what stands in a scene already."""
 
     def __init__(self, rooms: RoomTypes, own: tuple[Category, ...] = (), scene: Scene | None = None) -> None:
-        self.own = {word: thing.name for thing in own for word in (thing.name, *thing.synonyms)}
+        self.own = {plain(word): thing.name for thing in own if thing.like for word in (thing.name, *thing.synonyms)}
+        self.own |= {singular(word + end): name for word, name in self.own.items() for end in ("", "s", "es")}
         self.there: dict[str, str] = {}
         if scene is not None:
-            self.there = {singular(plain(asset.category)): category_of(asset).name for asset in scene.assets}
+            self.there = {word: category_of(asset).name for asset in scene.assets for word in words_for(asset)}
         self.kinds: Mapping[str, Category] = {**CATALOGUE, **{thing.name: thing for thing in own}}
         self.room_words = {plain(word): name for name, room in rooms.rooms.items() for word in room.words}
         self.bodies = {plain(word): name for word, name in rooms.agents.items()}
@@ -177,6 +178,11 @@ def _misspelt(text: str) -> str | None:
     """Return the kind of the known phrase that is most like some letters, None where none is like them."""
     near = get_close_matches(text, _joined(), n=1, cutoff=SIMILAR)
     return _joined()[near[0]][0] if near else None
+
+
+def words_for(asset: Asset) -> tuple[str, ...]:
+    """Return the words by which an asset is named, in the singular."""
+    return tuple(singular(plain(word)) for word in (asset.category, *asset.synonyms))
 
 
 def plain(text: str) -> str:

@@ -21,7 +21,7 @@ from robolayout.words._chunk import Chunk
 from robolayout.words._demander import Demander
 from robolayout.words._function_words import KIN
 from robolayout.words._judged import Finding, Furnished, Unjudged, Verdict, met
-from robolayout.words._lexicon import Lexicon, grammar, plain
+from robolayout.words._lexicon import Lexicon, grammar, plain, words_for
 from robolayout.words._places import openings, walls_meant
 from robolayout.words._said import Link, NamedThing, Place, mentions, named, place_in
 from robolayout.words._tokens import Measure
@@ -248,7 +248,7 @@ class _RowMaker:
             least = 1 if thing.number is None else wanted  # "shelves" are some, however many
             if not alike:
                 return "not understood", "nothing of that name is there"
-            if thing.noun.kind.startswith("unknown"):
+            if thing.noun.kind.startswith("unknown") and any(_is_box(room.scene.by_name[name]) for name in alike):
                 return "not understood", f"no such kind is known; {there} boxes of a usual size stand for it"
             return met(there <= wanted if thing.bound == "most" else there >= min(least, wanted), f"{there} there")
 
@@ -355,9 +355,13 @@ def stand_ins(scene: Scene, things: Sequence[NamedThing]) -> dict[NamedThing, tu
     return found
 
 
+def _is_box(asset: Asset) -> bool:
+    return asset.path is None and not asset.parts
+
+
 def _same_words(asset: Asset, thing: NamedThing) -> bool:
-    category = singular(plain(asset.category))
-    return category == thing.noun.words or (category == thing.noun.said and not thing.of_pet)
+    words = words_for(asset)
+    return thing.noun.words in words or (thing.noun.said in words and not thing.of_pet)
 
 
 def _same_kind(asset: Asset, thing: NamedThing) -> bool:

@@ -25,7 +25,7 @@ from robolayout.planners.model.exchange import Question
 from robolayout.planners.model.grouping import Grouping, Rating, complaint, groups_of
 from robolayout.planners.model.options import ModelOptions
 from robolayout.planners.model.prompt import Picture
-from robolayout.planners.model.rooms import Furnisher, Furnishing, choices_text
+from robolayout.planners.model.rooms import Furnisher, Furnishing, choices_text, has_catalogue
 from robolayout.planners.offline import OfflinePlanner
 from robolayout.planners.sentence import Understanding, scene_from_sentence
 from robolayout.scene import Layout, Scene
@@ -135,7 +135,7 @@ class ModelPlanner:
             return reader.scene(answer), reader.understanding(answer)
         except (*USELESS, SceneError) as error:
             self._client.note(f"The words were read by rules instead of by {self.model}: {error}")
-        return scene_from_sentence(text, seed=self.seed)
+        return scene_from_sentence(text, seed=self.seed, assets=assets if has_catalogue(assets) else None)
 
     def group(self, scene: Scene) -> tuple[Group, ...]:
         """Return all assets in groups, structural first, decorative last; in the mode one_shot in one group."""

@@ -11,25 +11,15 @@ from typing import Literal, TypeGuard
 from pydantic import BaseModel, Field
 
 from robolayout._errors import SceneError
-from robolayout._reading import Checker
-from robolayout.assets import CATALOGUE, find_category
+from robolayout.assets import CATALOGUE, find_category, own_assets
+from robolayout.assets.catalogue import FILE
 from robolayout.assets.category import PLACES, Category
 from robolayout.planners.sentence import SIZES, Understanding, asset_entry
 from robolayout.scene import Layout, Pose, Scene, agent_names, scene_from_dict, variable_name
 from robolayout.words import read_words
 
-FILE = "catalogue.json"  # what a user's own catalogue is called in the folder of assets (`robolayout assets import`)
-
 GIVEN = ("count", "opening", "refusal", "room size", "room area", "room height")
 """Rows of the ledger that a scene meets or not before anything is placed."""
-
-PLAIN: Mapping[str, object] = {
-    "task_description": "",
-    "boundary": {"floor_vertices": [[0, 0, 0], [50, 0, 0], [50, 50, 0], [0, 50, 0]], "wall_height": 20},
-}
-"""A scene file's content of a room that everything fits into."""
-
-_CHECK = Checker(SceneError)
 
 
 class Thing(BaseModel):
@@ -78,10 +68,8 @@ class Choice:
 def choices(folder: Path | None) -> dict[str, Choice]:
     """Return the built-in kinds by name, then those of a user's own catalogue, which take the place of built-in ones."""
     found = {kind.name: _choice(kind) for kind in CATALOGUE.values()}
-    if _has_catalogue(folder):
-        data = _CHECK.mapping(_CHECK.read_json(folder / FILE, "catalogue"), FILE)
-        keys = _CHECK.mapping(_CHECK.required(data, "assets", FILE), f"{FILE}: assets")
-        for own in _read({key: {"from": key} for key in keys}, folder).assets:
+    if has_catalogue(folder):
+        for own in own_assets(folder).assets:
             places = tuple(place for place in PLACES if getattr(own, f"on_{place}"))
             found[own.name] = Choice(own.size, places, {"from": own.name})
     return found
@@ -91,7 +79,8 @@ def _choice(kind: Category) -> Choice:
     return Choice(kind.size, kind.places, asset_entry(kind, kind.size))
 
 
-def _has_catalogue(folder: Path | None) -> TypeGuard[Path]:
+def has_catalogue(folder: Path | None) -> TypeGuard[Path]:
+    """Return whether a folder of assets has a catalogue."""
     return folder is not None and (folder / FILE).is_file()
 
 
@@ -156,7 +145,8 @@ class Furnisher:
             if answer.body not in agent_names():
                 raise SceneError(f"there is no body {answer.body!r}; known are {', '.join(agent_names())}.")
             data["agent"] = answer.body
-        return _read(assets, self.folder, data)
+        catalogue = {"catalogue": FILE} if has_catalogue(self.folder) else {}
+        return scene_from_dict({**data, "assets": assets, **catalogue}, base=self.folder, asset_dir=self.folder)
 
     def _entry(self, thing: Thing) -> dict[str, object]:
         """Return a thing as a scene file has it."""
@@ -176,9 +166,3 @@ class Furnisher:
         if "from" not in entry:
             entry["assetMetadata"] = {"boundingBox": dict(zip("xyz", size, strict=True))}
         return entry | ({"description": thing.description} if thing.description else {})
-
-
-def _read(assets: Mapping[str, object], folder: Path | None, data: Mapping[str, object] = PLAIN) -> Scene:
-    """Return a scene of some things, with a user's catalogue if there is one."""
-    catalogue = {"catalogue": FILE} if _has_catalogue(folder) else {}
-    return scene_from_dict({**data, "assets": dict(assets), **catalogue}, base=folder, asset_dir=folder)
