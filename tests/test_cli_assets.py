@@ -66,23 +66,23 @@ def test_bad_input_is_refused_in_words(
 def test_words_name_meshes_of_ones_own(tmp_path: Path, command: Callable[..., Ran]) -> None:
     own, out = tmp_path / "own", tmp_path / "out"
     own.mkdir()
-    trimesh.creation.icosphere(radius=0.3).export(own / "wumbus.ply")
+    trimesh.creation.icosphere(radius=0.3).export(own / "gizmo.ply")
     trimesh.creation.box((0.5, 0.45, 0.9)).export(own / "WoodChair.ply")
     told = {"WoodChair.ply": {"up": "+z", "front": "+x", "unit": "m"}}
     (own / "corrections.json").write_text(json.dumps(told))
-    words = "a room with two wumbuses in a corner and a wood chair by the door"
+    words = "a room with two gizmos in a corner and a wood chair by the door"
     ran = command("generate", words, "--asset-dir", own, "--out", out, "--no-pictures")
     assert ran.code == 0, ran.err
-    assert "Wished: 2 wumbus, 1 Wood Chair." in ran.err
+    assert "Wished: 2 gizmo, 1 Wood Chair." in ran.err
     assets = json.loads((out / "scene.json").read_text())["assets"]
     meshes = {
         name: (Path(entry["path"]).name, entry["assetMetadata"]["boundingBox"])
         for name, entry in assets.items()
         if "path" in entry
     }
-    ball = ("wumbus.ply", {"x": 0.6, "y": 0.6, "z": 0.6})
+    ball = ("gizmo.ply", {"x": 0.6, "y": 0.6, "z": 0.6})
     chair = ("WoodChair.ply", {"x": 0.5, "y": 0.45, "z": 0.9})
-    assert meshes == {"wumbus-0": ball, "wumbus-1": ball, "wood_chair-0": chair}
+    assert meshes == {"gizmo-0": ball, "gizmo-1": ball, "wood_chair-0": chair}
     asked = json.loads((out / "report.json").read_text())["asked"]
     assert {row["verdict"] for row in asked} == {"met"} and len(asked) >= 4, asked
     nowhere = command("generate", words, "--asset-dir", tmp_path / "nowhere", "--out", out)
