@@ -136,7 +136,9 @@ def test_metres_of_height_are_given_back() -> None:
 
 
 def test_what_is_had_after_a_comma_and_stands_elsewhere_is_not_at_what_has_it() -> None:
-    scene, _ = rl.scene_from_sentence("a bathroom where the toilet is by the wall, with a double vanity opposite the shower")
+    scene, _ = rl.scene_from_sentence(
+        "a bathroom where the toilet is by the wall, with a double vanity opposite the shower"
+    )
     relations = [row.understanding for row in read_words(scene).rows if row.kind == "relation"]
     assert any("bathroom_vanity-0, shower-0" in said for said in relations)
     assert not any("bathroom_vanity-0, toilet-0" in said for said in relations)
