@@ -262,3 +262,21 @@ def test_a_screen_at_the_short_end_hangs_on_a_short_wall() -> None:
 def test_a_mirror_wall_is_a_large_mirror() -> None:
     scene, _ = rl.scene_from_sentence("a home gym with a treadmill facing a mirror wall")
     assert scene.by_name["mirror_wall-0"].size[1] == pytest.approx(3.0)
+
+
+@pytest.mark.parametrize(
+    ("text", "room", "bed"),
+    [
+        ("a bedroom for a child of six with a desk", "children's room", {"single_bed": 1}),
+        ("a bedroom for a six-year-old", "children's room", {"single_bed": 1}),
+        ("a bedroom for my son and my daughter", "children's room", {"single_bed": 2}),
+        ("a bedroom for a baby", "children's room", {"crib": 1}),
+        ("a bedroom for a couple and a baby", "bedroom", {"bed": 1}),
+        ("a bedroom for a 70-year-old woman", "bedroom", {"bed": 1}),
+    ],
+)
+def test_a_bedroom_for_children_alone_is_their_room(text: str, room: str, bed: dict[str, int]) -> None:
+    scene, understood = rl.scene_from_sentence(text)
+    beds = {kind: count for kind, count in there(text).items() if kind.endswith(("bed", "crib"))}
+    assert (understood.room_type, beds) == (room, bed)
+    assert all(row.kind != "not understood" for row in read_words(scene).rows)

@@ -24,6 +24,11 @@ NUMBERS = (
 VAGUE = frozenset(("some", "few", "several", "lots", "many"))
 """Words that say no exact number."""
 
+GROWN, ADULT = 12, 20
+CHILDREN = ("child", "kid", "boy", "girl", "son", "daughter")
+AFTER_AN_AGE = ("with", "and", "who", "that", "in", "to", "should", "is")
+"""Years up to which somebody is a child, and from which on an adult; who is "of six"; words before which an age stands by itself."""
+
 _WORDS = "|".join(word for word in NUMBERS if word not in ("a", "an", "no", *VAGUE))
 _N = rf"(\d+(?:[.,]\d+)?|\b(?:{_WORDS})\b)"
 _LENGTHS = r"metres?|meters?|m\b|cm\b|mm\b|centimet(?:re|er)s?|feet|foot|ft\b|inches|inch|['\"]"
@@ -170,6 +175,11 @@ def _counted(words: list[Token]) -> list[Token]:
             more = (4, [text[3], "people"])
         elif text[0] == "seating" and second:
             more = (1, ["for"])
+        elif first and text[1:3] == ["year", "old"]:  # "for a six-year-old", "for a 70-year-old woman"
+            alone = not text[3].isalpha() or text[3] in AFTER_AN_AGE
+            more = (3, ["child" if first <= GROWN else "teenager" if first < ADULT else "person"] * alone)
+        elif text[0] in CHILDREN and text[1] == "of" and (count_of(text[2]) or GROWN + 1) <= GROWN:
+            more = (3, [text[0]])
         start, end = words[at].start, words[at + more[0] - 1].end
         found += [Token(word, start, end) for word in more[1]]
         at += more[0]

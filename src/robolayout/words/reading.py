@@ -175,6 +175,7 @@ def read_text(text: str, lexicon: Lexicon) -> Reading:
     if named is not None:
         chunks[named[0]] = named[1]
     parsed = Parser(chunks).parse()
+    _for_children(parsed.facts)
     guessed = named is not None and named[1].kind == "room"
     rooms = [chunk for chunk in parsed.facts if chunk.kind == "room"]
     bodies = [chunk.value for chunk in parsed.facts if chunk.kind == "body"]
@@ -210,6 +211,15 @@ def read_text(text: str, lexicon: Lexicon) -> Reading:
         only=any(word.text == "only" for word in words) or "nothing else" in read.lower(),
         unread=len(text) - len(read),
     )
+
+
+def _for_children(facts: list[Chunk]) -> None:
+    """Let a bedroom that is for children alone be their room, or that of a baby a nursery."""
+    users = [chunk.value.split()[-1] for chunk in facts if chunk.kind in ("people", "body")]
+    words = [who.removesuffix("s") for who in users]
+    for young, room in ((small.SIBLINGS | {"child_6", "toddler"}, "children's room"), ({"baby", "infant"}, "nursery")):
+        alone = bool(words) and young.issuperset(words)
+        facts[:] = [replace(c, value=room) if alone and (c.kind, c.value) == ("room", "bedroom") else c for c in facts]
 
 
 def _shared_out(things: Sequence[NamedThing], number: int) -> int:
