@@ -41,9 +41,9 @@ class EastOf(Relation):
 '''
 
 
-def run(folder: Path, *words: str) -> subprocess.CompletedProcess[str]:
-    command = [sys.executable, "-m", "robolayout", "generate", *words, "--out", str(folder / "out"), "--quiet"]
-    return subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False)
+def run(folder: Path, *words: str, command: str = "generate") -> subprocess.CompletedProcess[str]:
+    called = [sys.executable, "-m", "robolayout", command, *words, "--out", str(folder / "out"), "--quiet"]
+    return subprocess.run(called, cwd=ROOT, capture_output=True, text=True, check=False)
 
 
 def test_a_constraint_from_a_file_is_known_and_met(tmp_path: Path) -> None:
@@ -91,3 +91,19 @@ def test_what_an_installed_package_registers_wrongly_is_put_down_to_that_package
     where = f"robolayout: the entry point 'odd' ({names}) in robolayout.{kind}, of odd-pack, "
     assert ran.stderr.startswith(where + said), ran.stderr
     assert "Correct or uninstall that package." in ran.stderr
+
+
+def test_a_layout_is_checked_with_constraints_from_a_file(tmp_path: Path) -> None:
+    (tmp_path / "mine.py").write_text(OWN)
+    (tmp_path / "program.py").write_text("solver.east_of(desk[0], x=2.5)\n")
+    asset = {"boundingBox": {"x": 0.7, "y": 1.4, "z": 0.75}, "category": "desk", "onFloor": True}
+    room = {"floor_vertices": [[0, 0, 0], [4, 0, 0], [4, 4, 0], [0, 4, 0]], "wall_height": 2.6}
+    scene = {"task_description": "", "boundary": room, "assets": {"desk-0": {"assetMetadata": asset, **asset}}}
+    (tmp_path / "scene.json").write_text(json.dumps(scene))
+    (tmp_path / "layout.json").write_text(json.dumps({"desk-0": {"position": [1, 2, 0.375], "rotation": [0, 0, 0]}}))
+    given = [str(tmp_path / name) for name in ("scene.json", "layout.json")]
+    told = ("--no-pictures", "--program", str(tmp_path / "program.py"))
+    ran = run(tmp_path, *given, *told, "--constraints", str(tmp_path / "mine.py"), command="check")
+    assert ran.returncode == 1, ran.stderr
+    report = json.loads((tmp_path / "out" / "report.json").read_text())
+    assert [(one["sentence"].split("(")[0], one["met"]) for one in report["statements"]] == [("east_of", False)]

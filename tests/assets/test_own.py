@@ -293,3 +293,10 @@ def test_of_too_many_colours_the_smallest_take_the_nearest_one(tmp_path: Path) -
         red, _, blue = part.material.color[:3]
         where = part.vertices[:, 1]
         assert where.max() < 1e-6 if red > blue else where.min() > -1e-6
+
+
+@pytest.mark.parametrize("name", ["диван", "Bücherregal"])
+def test_names_of_files_keep_their_letters(tmp_path: Path, name: str) -> None:
+    _mesh().export(tmp_path / f"{name}_01.stl")
+    ((key, entry),) = import_folder(tmp_path)["assets"].items()
+    assert name.lower() in key.lower() or name.lower() in entry["category"].lower()

@@ -242,7 +242,7 @@ def _words(name: str) -> str:
     if re.fullmatch(r"[0-9a-fA-F\-]{12,}", name):
         return ""
     spaced = re.sub(r"(?<=[a-z])(?=[A-Z])", " ", name)
-    return " ".join(word for word in re.split(r"[^A-Za-z]+", spaced) if len(word) > 1)
+    return " ".join(word for word in re.split(r"[\W\d_]+", spaced) if len(word) > 1)
 
 
 def _json(path: Path) -> Mapping[str, Any]:

@@ -81,6 +81,7 @@ def _page(
 def check(  # noqa: PLR0913 - one parameter per option
     laid: options.Laid,
     program: options.ProgramOption = None,
+    constraints: options.ConstraintsOption = None,
     out: Annotated[Path | None, Option(help="Also write report, page, plan, pictures and GLB to this folder.")] = None,
     pictures: Annotated[bool, Option(help="Draw page, plan and views.")] = True,
     date: options.DateOption = "",
@@ -102,6 +103,7 @@ def check(  # noqa: PLR0913 - one parameter per option
         raise InputError(
             "--date is for the sheet to print, which is not drawn: give --out, and leave --no-pictures out."
         )
+    options.read_constraints(constraints)
     given, placed = laid.read_both(quiet=told.quiet)
     if out is not None:
         check_writable(out)
@@ -128,6 +130,7 @@ def diff(  # noqa: PLR0913 - one parameter per option
     told: options.Told,
     scene: Annotated[str | None, Option(help="The scene of both layouts; else each folder's own.")] = None,
     program: options.ProgramOption = None,
+    constraints: options.ConstraintsOption = None,
     out: Annotated[Path | None, Option(help="Draw before and after: PNG or SVG.")] = None,
     width: Annotated[int, Option(min=256, max=8192, help="Pixels of the PNG's width.")] = 1400,
 ) -> None:
@@ -136,6 +139,7 @@ def diff(  # noqa: PLR0913 - one parameter per option
     from robolayout.run.outputs import difference_picture
     from robolayout.run.result import load_judged
 
+    options.read_constraints(constraints)
     suffix = "" if out is None else options.ending(out, "a difference", (".png", ".svg"))
     given = None if scene is None else body.read(scene)
     found = differences(*(load_judged(side, given, body.read, program) for side in (before, after)))

@@ -100,7 +100,7 @@ class Call(options.ForBody, Who, options.Told):
 
     scene: Annotated[str, Argument(metavar="SCENE", help="A scene file (JSON), or one sentence in quotes.")]
     variants: Annotated[int, Option(min=1, max=64, help="Different rooms for one sentence or scene file.")] = 1
-    constraints: Annotated[Path | None, Option(help="A Python file with constraints of your own; it is run.")] = None
+    constraints: options.ConstraintsOption = None
 
     seed: options.SeedOption = 0
     starts: Annotated[int, Option(min=1, max=256, help="Starts of the search.")] = 16
@@ -184,10 +184,7 @@ def _check(asked: Call) -> None:
         simulator()
     if asked.dress is not None:
         check_dress(asked.dress)
-    if asked.constraints is not None:
-        from robolayout.constraints import register_file
-
-        register_file(asked.constraints)
+    options.read_constraints(asked.constraints)
 
 
 @contextmanager

@@ -24,6 +24,7 @@ SeedOption = Annotated[int, Option(min=0, help="Settles every choice.")]
 AssetDirOption = Annotated[Path | None, Option(help="Folder of the assets that the scene refers to.")]
 QuietOption = Annotated[bool, Option("--quiet", help="Print nothing but errors.")]
 ProgramOption = Annotated[Path | None, Option(help="Also measure the statements of this program.")]
+ConstraintsOption = Annotated[Path | None, Option(help="A Python file with constraints of your own; it is run.")]
 DateOption = Annotated[str, Option(help="What the sheet to print gives as the date.")]
 DoorsOption = Annotated[str, Option(help="How the room's doors stand: swinging, open or shut.")]
 BaseUrlOption = Annotated[
@@ -36,6 +37,14 @@ KnowledgeOption = Annotated[
 ]
 SceneArgument = Annotated[str, Argument(help="A scene file (JSON).")]
 LayoutArgument = Annotated[Path, Argument(help="A layout file (JSON).")]
+
+
+def read_constraints(path: Path | None) -> None:
+    """Make the relations of a user's file known."""
+    if path is not None:
+        from robolayout.constraints import register_file
+
+        register_file(path)
 
 
 def spread(command: Callable[..., None]) -> Callable[..., None]:

@@ -125,16 +125,18 @@ def scene_from_sentence(
     stretch = float(np.exp(rng.uniform(-SIZES.stretch, SIZES.stretch))) if variant else 1.0
     size = _room_size(wishes, wished, stretch)
     _possible(wishes, wished, size)
-    agent = wishes.reading.agent or wishes.room.agent
-    bodies = agents or ([load_agent(agent)] if agent else [])
+    named = wishes.reading.agent or wishes.room.agent
+    bodies = agents or ([load_agent(named)] if named else [])
     added = Added(wishes, wished, wishes.floor(size), fill, bodies).things(rng)
     tallest = max((wishes.kinds[name].size[2] for name in (*wished, *added)), default=0.0)
     enough, given = math.ceil(10 * (1.07 * tallest + 0.2)) / 10, wishes.reading.measure("height")
     height = given[0] if given else max(wishes.room.height, enough)
-    assumed = (*wishes.guesses, *_assumed(wishes, size, height, [wishes.kinds[name] for name in wished]))
+    told = wishes.reading.agent is not None or bool(agents)
+    assumed = (*wishes.guesses, *_assumed(wishes, size, height, [wishes.kinds[name] for name in wished], told=told))
     kind = wishes.room.of or wishes.room.name
+    who = ", ".join(body.name for body in bodies) or None
     found = Understanding(
-        text.strip(), kind, size, wishes.reading.shape, height, agent, wished, added, assumed, wishes.ignored
+        text.strip(), kind, size, wishes.reading.shape, height, who, wished, added, assumed, wishes.ignored
     )
     entries = {name: entry for name, (_, entry) in meshes.items() if name in wishes.meshes}
     return scene_from_dict(_scene(found, wishes, rng, entries, varied=variant > 0), asset_dir=assets), found
@@ -327,12 +329,14 @@ def _possible(wishes: RoomWishes, wished: Mapping[str, int], size: tuple[float, 
             )
 
 
-def _assumed(wishes: RoomWishes, size: tuple[float, float], height: float, wished: Iterable[Category]) -> Iterator[str]:
+def _assumed(
+    wishes: RoomWishes, size: tuple[float, float], height: float, wished: Iterable[Category], *, told: bool
+) -> Iterator[str]:
     """Yield a sentence for every choice that the reader made, and each thing that is made as low as the walls."""
     room = wishes.room
     if wishes.reading.size is None:
         yield f"No size was given: {size[0]:g} x {size[1]:g} m was chosen."
-    if wishes.reading.agent is None:
+    if not told:
         body = f"{room.agent} was taken, as usual there" if room.agent else "a disc of 0.30 m radius was taken"
         yield f"No body was named: {body}."
     if not wishes.reading.people and room.people:
@@ -352,6 +356,7 @@ def _scene(
         outline[2:3] = [(width, depth / 2), (width / 2, depth / 2), (width / 2, depth)]
     if rng.random() < 0.5:
         outline = [(width - x, y) for x, y in reversed(outline)]
+    named = wishes.reading.agent or wishes.room.agent
     wide = 3.0 if found.agent == "forklift" else 0.95 if width * depth < 30 else 1.1
     room = with_openings(Room(tuple(outline), found.height), wishes, wide, rng, varied=varied)
     style = wishes.reading.style or str(rng.choice([palette.wood.name for palette in PALETTES]))
@@ -363,7 +368,7 @@ def _scene(
         "doors": [vars(door) for door in room.doors],
         "windows": [vars(window) for window in room.windows],
         "assets": _assets(found, wishes, style, rng, meshes),
-        **({} if found.agent is None else {"agent": found.agent}),
+        **({} if named is None else {"agent": named}),
     }
 
 
