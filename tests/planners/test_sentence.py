@@ -486,7 +486,7 @@ def test_things_of_one_kind_have_the_looks_that_are_said_of_each() -> None:
 
 
 def test_a_body_that_is_given_is_who_the_room_is_for() -> None:
-    scene, found = scene_from_sentence("a bedroom", agents=[load_agent("wheelchair")])
+    _scene, found = scene_from_sentence("a bedroom", agents=[load_agent("wheelchair")])
     assert found.agent == "wheelchair" and "For: wheelchair." in found.sentences()
     assert not any("No body was named" in sentence for sentence in found.assumed)
     assert scene_from_sentence("a bedroom")[1].assumed[-1].startswith("No body was named")

@@ -164,7 +164,9 @@ class Around(Relation):
         return Outcome(met, max(gaps), limit, "m", text)
 
     def _uneven(self, scene: Scene, layout: Layout) -> int:
-        """Return by how many there are more at one side of b than opposite, where the room leaves both sides free."""
+        """Return by how many like seats there are more at one side of b than opposite, where the room leaves both sides free."""
+        if len({scene.by_name[item.name].size for item in self.items}) > 1:
+            return 0  # a bench is opposite three chairs
         here, room = frame(scene, layout, self.b), Polygon(scene.room.vertices)
         seen = [here.seen(layout[item.name].at) for item in self.items]
         depth, uneven = max(scene.by_name[item.name].size[0] for item in self.items), 0

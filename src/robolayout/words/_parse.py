@@ -385,9 +385,10 @@ class Parser(Relating):
 
     def _on_opening(self, chunk: Chunk) -> None:
         """A door or window: it is asked for where a wall is told, or a number, or "a"."""
-        if self.refusing and chunk.value == "window":  # "a bedroom with no windows"
-            self._understood(self._ahead(-2))
-            self.said.openings.append((replace(place_of(chunk), number=0), (chunk.start, chunk.end)))
+        if self.refusing and chunk.value == "window":
+            if self._ahead().kind != "rel":  # "a bedroom with no windows", but not "no window on the north wall"
+                self._understood(self._ahead(-2))
+                self.said.openings.append((replace(place_of(chunk), number=0), (chunk.start, chunk.end)))
             return
         at = self.fronted[1][:1] if self.fronted is not None and not self.group else []
         wall = self._opening_wall() or place_in(at, "wall") or Place("wall", sides(chunk))

@@ -55,7 +55,7 @@ _LENGTH = re.compile(rf"{_N}[\s-]*(?:({_LENGTHS}|in(?={_HOW}|{_FLAT}))(?:{_HOW}|
 _APART = re.compile(
     rf"(?:\b(?:(at least|no less than|more than|(?:no|not|none)(?: of them)? (?:closer|nearer) than)"
     r"|(at most|no more than|up to|less than|within))\s+)?"
-    rf"(?:(?:between\s+)?{_N}{_U}\s*(?:to|and|-|\u2013)\s*)?"
+    rf"(?:(?:between\s+)?{_N}{_U}\s*(?:to|and|or|-|\u2013)\s*)?"
     rf"{_N}{_U}\s*(?:apart|from (?:each other|one another)|(?:away )?from|off|of|to|"
     rf"(?:of )?(?:(?:free|clear|empty) )?(?:space |distance |gap |passage |clearance )?between)\b",
     re.IGNORECASE,
