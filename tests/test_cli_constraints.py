@@ -107,3 +107,15 @@ def test_a_layout_is_checked_with_constraints_from_a_file(tmp_path: Path) -> Non
     assert ran.returncode == 1, ran.stderr
     report = json.loads((tmp_path / "out" / "report.json").read_text())
     assert [(one["sentence"].split("(")[0], one["met"]) for one in report["statements"]] == [("east_of", False)]
+
+
+@pytest.mark.parametrize("method", ["check", "terms"])
+def test_a_relation_that_fails_is_named_as_the_users(tmp_path: Path, method: str) -> None:
+    line = next(line for line in OWN.splitlines() if f"def {method}(" in line)
+    (tmp_path / "mine.py").write_text(OWN.replace(line, f"{line}\n        1 / 0"))
+    (tmp_path / "program.py").write_text("solver.east_of(potted_plant[0], x=2.5)\n")
+    files = ("--constraints", str(tmp_path / "mine.py"), "--program", str(tmp_path / "program.py"))
+    ran = run(tmp_path, "examples/bedroom.json", "--no-pictures", *files)
+    at = (tmp_path / "mine.py").read_text().splitlines().index("        1 / 0") + 1
+    assert ran.returncode == 2 and not (tmp_path / "out").exists()
+    assert f"{tmp_path / 'mine.py'}, line {at}, in {method}: ZeroDivisionError: division by zero" in ran.stderr

@@ -19,6 +19,10 @@ from robolayout._version import __version__
 DEBUG = "ROBOLAYOUT_DEBUG"
 """Environment variable: if set, the file also holds messages and the whole command line, and so names and contents."""
 
+EXTENSIONS = ("robolayout.constraints", "robolayout.exporters", "robolayout.agents")
+FROM_FILES = "robolayout_relations_"
+"""Groups of entry points of other packages, and how modules are called that files of relations become."""
+
 LIBRARIES = ("jax", "jaxlib", "numpy", "scipy", "shapely", "trimesh", "typer", "pydantic-monty")
 """Libraries whose versions may matter."""
 
@@ -33,6 +37,23 @@ def sentence(error: BaseException, note: Path | None) -> str:
     if note is None:
         return f"{what} If it stays, please report what you did; no file about it could be written."
     return f"{what} If it stays, please report what you did and send {note}, which holds no names, keys or contents."
+
+
+def outside(error: BaseException) -> str:
+    """Return where in an extension of the user's own an error arose, and what it says; empty where it arose here or in a library."""
+    from importlib.metadata import entry_points
+
+    names = {point.module for group in EXTENSIONS for point in entry_points(group=group)}
+    names |= {name for name in sys.modules if name.startswith(FROM_FILES)}
+    theirs = {getattr(sys.modules.get(name), "__file__", None) for name in names}
+    ours = Path(__file__).parents[1]
+    for frame in reversed(traceback.extract_tb(error.__traceback__)):
+        if frame.filename in theirs:
+            reason = " ".join(f"{type(error).__name__}: {error}".split())[:300]
+            return f"{frame.filename}, line {frame.lineno}, in {frame.name}: {reason}"
+        if Path(frame.filename).is_relative_to(ours):
+            return ""
+    return ""
 
 
 def write_note(error: BaseException, words: Sequence[str]) -> Path | None:

@@ -122,9 +122,12 @@ def _in_passing(kind: type[BaseException]) -> None:
 
 def _unforeseen(error: BaseException) -> int:
     """Say what nobody foresaw, write a file about it, and return the exit code."""
-    from robolayout.cli.crash import sentence, write_note
+    from robolayout.cli.crash import outside, sentence, write_note
 
     if isinstance(error, Unforeseen) and error.__cause__ is not None:
         error = error.__cause__
+    if place := outside(error):
+        warn(f"an extension of yours failed: {place}. Correct it, or leave it out.")
+        return WRONG
     warn(sentence(error, write_note(error, sys.argv[1:])))
     return OURS
