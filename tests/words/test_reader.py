@@ -309,7 +309,6 @@ def test_counts(text: str, counts: dict[str, int]) -> None:
                 ("otherside", "chair", "dining table"),
                 ("otherside", "chair", "bench"),
                 ("above", "pendant lamp", "dining table"),
-                ("with", "pendant lamp", "chair"),
             },
         ),
         (

@@ -265,7 +265,8 @@ class Writer:
 
         A seat beside a thing is not pushed back, nor one that stands at a wall by itself: that has room for knees before it.
         """
-        aside, at_a_wall = item.join.slot == "beside", not item.anchor and item.role.stands[:1] == ("wall",)
+        aside, free = item.join.slot == "beside", not item.anchor and item.name not in self.asked
+        at_a_wall = free and item.role.stands[:1] == ("wall",)
         in_a_block = len(self._equal(item)) >= item.role.prefer.get("block", math.inf)
         for side, depth in item.role.clear.items() if item.asset.on_floor else ():
             if side == "back" and aside:
