@@ -96,6 +96,15 @@ def paragraph(text: str) -> str:
     return f"<p><b>{html(text)}</b></p>"
 
 
+def listed(names: Sequence[str], most: int = TOLD.named) -> str:
+    """Return the first of some names and how many more there are.
+
+    >>> listed(["bed-0", "desk-0", "chair-0"], 2)
+    'bed-0, desk-0 and 1 more'
+    """
+    return ", ".join(names[:most]) + (f" and {len(names) - most} more" if len(names) > most else "")
+
+
 def bullets(sentences: Sequence[str], most: int) -> str:
     """Return an HTML list of at most `most` sentences and how many more there are; nothing for none."""
     shown = list(sentences[:most])

@@ -30,9 +30,9 @@ def own_assets(folder: Path) -> Scene:
         InputError: There is no such folder, or it describes what no scene may have.
     """
     data: Mapping[str, Any] = (
-        import_folder(folder)
-        if not (folder / FILE).is_file()
-        else _CHECK.mapping(_CHECK.read_json(folder / FILE, "catalogue"), FILE)
+        _CHECK.mapping(_CHECK.read_json(folder / FILE, "catalogue"), FILE)
+        if (folder / FILE).is_file()
+        else import_folder(folder)
     )
     return scene_from_dict({**HALL, "assets": _CHECK.inner(data, "assets", FILE)}, base=folder)
 

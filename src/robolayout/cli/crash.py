@@ -19,9 +19,8 @@ from robolayout._version import __version__
 DEBUG = "ROBOLAYOUT_DEBUG"
 """Environment variable: if set, the file also holds messages and the whole command line, and so names and contents."""
 
-EXTENSIONS = ("robolayout.constraints", "robolayout.exporters", "robolayout.agents")
-FROM_FILES = "robolayout_relations_"
-"""Groups of entry points of other packages, and how modules are called that files of relations become."""
+EXTENSIONS = ("robolayout.exporters", "robolayout.agents")
+"""Groups of entry points of other packages, besides relations, which know their modules."""
 
 LIBRARIES = ("jax", "jaxlib", "numpy", "scipy", "shapely", "trimesh", "typer", "pydantic-monty")
 """Libraries whose versions may matter."""
@@ -44,7 +43,8 @@ def outside(error: BaseException) -> str:
     from importlib.metadata import entry_points
 
     names = {point.module for group in EXTENSIONS for point in entry_points(group=group)}
-    names |= {name for name in sys.modules if name.startswith(FROM_FILES)}
+    relations = getattr(sys.modules.get("robolayout.constraints"), "RELATIONS", {})  # it may have failed to load
+    names |= {one.__module__ for one in relations.values() if not one.__module__.startswith("robolayout.")}
     theirs = {getattr(sys.modules.get(name), "__file__", None) for name in names}
     ours = Path(__file__).parents[1]
     for frame in reversed(traceback.extract_tb(error.__traceback__)):

@@ -56,8 +56,8 @@ class InRows(Relation):
                 _spread([seen[one][1] for one in line], beside, line.index(first) if first in line else len(line) // 2)
             )
         ends = [(v[0] - half[line[0]][1], v[-1] + half[line[-1]][1]) for v, line in zip(across, lines, strict=True)]
-        rows: list[Term] = []
-        for u, line, places, off in zip(along, lines, across, aside := _aside(ends), strict=True):
+        aside, rows = _aside(ends), list[Term]()
+        for u, line, places, off in zip(along, lines, across, aside, strict=True):
             for item, place in zip(line, places, strict=True):
                 turned, v = 0.0 if ahead[item] else math.pi, place - off + aside[base]
                 term = FrameTerm(item, first, along=Interval(u, u), across=Interval(v, v), heading=turned, moves="both")

@@ -139,10 +139,13 @@ class Added:
 
     def _belongs_to(self, name: str, stands: str) -> tuple[str, int]:
         """Return the role of what a thing that only stands so lies under or hangs over, and how many of them there are."""
-        role, counts, there = self.wishes.role(name), Counter[str](), both(self.wished, self.found)
+        role, counts = self.wishes.role(name), Counter[str]()
+        if role is None or role.stands != (stands,):
+            return "", 0
+        there = both(self.wished, self.found)
         for other, bearer in self.wishes.playing(there).items():
             counts[bearer.name] += there[other]
-        over = next((kind for kind in role.above if counts[kind]), "") if role and role.stands == (stands,) else ""
+        over = next((kind for kind in role.above if counts[kind]), "")
         return over, counts[over]
 
     def _room_on_tops(self, group: Mapping[str, int]) -> bool:

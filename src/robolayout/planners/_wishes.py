@@ -42,7 +42,6 @@ FOOTLESS = 0.09
 """Metres that a thing stands out from a wall at the most where it hangs there instead of standing on its foot."""
 
 Size = tuple[float, float, float]
-EMPTY: Mapping[str, Category] = {}
 
 APART = 0.25  # metres between things that lie on a rug or sit in a line
 LONGEST = 50.0  # metres of the longest thing that a room is furnished with
@@ -78,6 +77,11 @@ class RoomWishes:
     lexicon: Lexicon  # the kinds of things that are known
     roles: Mapping[str, Role]  # what things are for, by the names of things
     meshes: Collection[str] = ()  # names of the kinds of which there is a mesh of the user's own, which keeps its size
+
+    @property
+    def agent(self) -> str | None:
+        """The body that is said, else the one that is usual in such a room; None for the default disc."""
+        return self.reading.agent or self.room.agent
 
     @cached_property
     def things(self) -> Mapping[str, int]:
@@ -260,7 +264,7 @@ class RoomWishes:
         name = thing.noun.said if "oval" in thing.noun.said else thing.noun.kind
         seats = math.ceil(_seats(thing, links)) or self._everyone(thing)
         sided = {link.sided for link in links} - {""}
-        seats += ENDS if sided and "end" not in sided and not thing.square else 0
+        seats += ENDS if sided and "end" not in sided and thing.sides == 2 else 0
         told = {*thing.adjectives} & {*grammar().sizes}  # a long table for two stays long
         return size if told and seats <= 2 else self._seating(name, size, seats)
 
@@ -294,7 +298,7 @@ class RoomWishes:
         return name.endswith("table") and name in self.room.base and own == {"chair"} and not self.room.tables
 
 
-def read_wishes(text: str, own: Knowledge, meshes: Mapping[str, Category] = EMPTY) -> RoomWishes:
+def read_wishes(text: str, own: Knowledge, meshes: Mapping[str, Category]) -> RoomWishes:
     """Return what a text asks of a new room; one that is empty, or names neither a room nor a thing, is refused.
 
     `meshes` are the kinds of which there is a mesh of the user's own, by name.

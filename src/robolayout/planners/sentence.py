@@ -125,8 +125,7 @@ def scene_from_sentence(
     stretch = float(np.exp(rng.uniform(-SIZES.stretch, SIZES.stretch))) if variant else 1.0
     size = _room_size(wishes, wished, stretch)
     _possible(wishes, wished, size)
-    named = wishes.reading.agent or wishes.room.agent
-    bodies = agents or ([load_agent(named)] if named else [])
+    bodies = agents or ([load_agent(wishes.agent)] if wishes.agent else [])
     added = Added(wishes, wished, wishes.floor(size), fill, bodies).things(rng)
     tallest = max((wishes.kinds[name].size[2] for name in (*wished, *added)), default=0.0)
     enough, given = math.ceil(10 * (1.07 * tallest + 0.2)) / 10, wishes.reading.measure("height")
@@ -356,7 +355,6 @@ def _scene(
         outline[2:3] = [(width, depth / 2), (width / 2, depth / 2), (width / 2, depth)]
     if rng.random() < 0.5:
         outline = [(width - x, y) for x, y in reversed(outline)]
-    named = wishes.reading.agent or wishes.room.agent
     wide = 3.0 if found.agent == "forklift" else 0.95 if width * depth < 30 else 1.1
     room = with_openings(Room(tuple(outline), found.height), wishes, wide, rng, varied=varied)
     style = wishes.reading.style or str(rng.choice([palette.wood.name for palette in PALETTES]))
@@ -368,7 +366,7 @@ def _scene(
         "doors": [vars(door) for door in room.doors],
         "windows": [vars(window) for window in room.windows],
         "assets": _assets(found, wishes, style, rng, meshes),
-        **({} if named is None else {"agent": named}),
+        **({} if wishes.agent is None else {"agent": wishes.agent}),
     }
 
 

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
-from robolayout._text import TOLD
+from robolayout._text import listed
 from robolayout.assets import place_of
 from robolayout.constraints.mounted_on import MountedOn
 from robolayout.program import Program
@@ -23,7 +23,7 @@ class EditConfig:
 
     raised: float = 0.02  # metres of height from which on a change is told
     radians: float = (
-        0.003  # degrees from a quarter, a half or three quarters of a turn in radians that are taken for them
+        0.003  # degrees by which a heading may differ from a quarter, half or three quarters of a turn in radians
     )
 
 
@@ -52,7 +52,7 @@ def hung(scene: Scene, start: Layout, pinned: Mapping[str, Pose], *, seed: int) 
     amiss = [n for n in start if place_of(scene.by_name[n]) == "wall" and not apart[n] and n not in pinned]
     usual = [one.relation for one in usual_wishes(scene, seed)] if amiss else []
     heights = {one.a.name: one.height for one in usual if isinstance(one, MountedOn) and one.height is not None}
-    for name in heights.keys() & amiss:
+    for name in (name for name in amiss if name in heights):
         raised = Layout({**start, name: replace(start[name], z=heights[name])})
         start = raised if physics(scene, raised).collision_free[name] else start
     return start
@@ -63,25 +63,19 @@ def told(found: Attempt, start: Layout, pinned: Mapping[str, Pose]) -> Attempt:
     layout, said = found.solution.layout, list[str]()
     heights = {name: (pose.z, layout[name].z) for name, pose in start.items()}
     if raised := [f"{name} ({a:.2f} to {b:.2f} m)" for name, (a, b) in heights.items() if abs(a - b) > EDIT.raised]:
-        said.append(f"Put at another height: {_some(raised)}.")
+        said.append(f"Put at another height: {listed(raised)}.")
     if stuck := [name for name in found.solution.verdict.culprits if name in pinned]:
         said.append(
-            f"What is not met has to do with {_some(stuck)}, which was not to move: free that, too, "
+            f"What is not met has to do with {listed(stuck)}, which was not to move: free that, too, "
             "or leave keep and free out."
         )
     quarters = (math.pi / 2, math.pi, 3 * math.pi / 2)
     turns = {name: abs(math.remainder(math.degrees(pose.yaw), 360.0)) for name, pose in start.items()}
     if radians := [name for name, turn in turns.items() if any(abs(turn - q) < EDIT.radians for q in quarters)]:
         said.append(
-            f"The rotations of {_some(radians)} look like radians; layouts are in degrees, and they were read so."
+            f"The rotations of {listed(radians)} look like radians; layouts are in degrees, and they were read so."
         )
     return replace(found, asked=replace(found.asked, remarks=(*found.asked.remarks, *said)))
-
-
-def _some(names: Sequence[str]) -> str:
-    """Return the first of some names and how many more there are."""
-    more = f" and {len(names) - TOLD.named} more" if len(names) > TOLD.named else ""
-    return ", ".join(names[: TOLD.named]) + more
 
 
 def as_it_was(asked: Program, scene: Scene, start: Layout, *, seed: int) -> Program:

@@ -17,7 +17,7 @@ import numpy as np
 import shapely
 from numpy.typing import NDArray
 
-from robolayout._text import TOLD
+from robolayout._text import TOLD, listed
 from robolayout.assets import place_of
 from robolayout.scene import ROUNDING, Agent, Asset, Layout, Opening, Pose, Room, Scene
 from robolayout.verify._boxes import landings, prism_table, room_polygon
@@ -174,7 +174,6 @@ def overfull(scene: Scene) -> tuple[str, ...]:
     left = needed - np.cumsum([fills[asset] for asset in standing])
     many = int(np.argmax(left <= floor.area - clear)) + 1
     out = [asset.name for asset in standing[:many]]
-    others = f" and {many - TOLD.named} more" if many > TOLD.named else ""
     areas: dict[str, list[float]] = {}
     for asset in standing:
         areas.setdefault(asset.category, []).append(fills[asset])
@@ -183,7 +182,7 @@ def overfull(scene: Scene) -> tuple[str, ...]:
     return (
         f"The {len(standing)} assets that stand on the floor cover {needed:.2f} m2, the floor outside door landings has "
         f"{floor.area - clear:.2f} m2: they cannot all stand apart. Most is taken by {taken}. Leave out "
-        f"{', '.join(out[: TOLD.named])}{others}, or give the room {math.ceil(10 * (needed + clear)) / 10:.1f} m2 or more.",
+        f"{listed(out)}, or give the room {math.ceil(10 * (needed + clear)) / 10:.1f} m2 or more.",
     )
 
 

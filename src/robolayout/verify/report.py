@@ -163,10 +163,8 @@ class Report:
     @property
     def verdict(self) -> str:
         """Whether all demands are met, and how many statements are unmet and phrases not judged beside that, in a few words."""
-        told, unmet = (
-            "all demands met" if self.ok else "not all demands are met",
-            sum(not s.met for s in self.statements),
-        )
+        told = "all demands met" if self.ok else "not all demands are met"
+        unmet = sum(not one.met for one in self.statements)
         told += f", {unmet} of {len(self.statements)} statements unmet" if unmet and self.ok else ""
         for kind in ("not understood", "not judged"):
             count = sum(row.verdict == kind for row in self.asked)

@@ -208,7 +208,7 @@ class About(References):
             return False  # of the room
         for seat in seats:
             if seat.per_side(chunk, place, own=seat.det == "a") and seat.thing not in self.dealt:
-                seat.thing.number = (4 if tables[-1].square else 2) * (seat.thing.number or 1)
+                seat.thing.number = tables[-1].sides * (seat.thing.number or 1)
             elif place is not None and place.det == "all" and seat.thing.plural and seat.thing.number is None:
                 seat.thing.number = 4  # "chairs on all sides"
         self.acted = list(seats)

@@ -115,10 +115,10 @@ class Parser(Relating):
         """Let so many of the things named last be what the relation there is about: "two at one wall and two at the other"."""
         each = bool({"each", "either"} & {*self.chunks[index].adjectives})  # "two lamps, one on each end"
         each = each or any(chunk.det == "each" for chunk in self.chunks[index + 1 : index + 2])
-        square = any(thing.square for thing in self.said.things if thing.sided)
-        at_sides = each and "flank" in {chunk.value for chunk in self.chunks[index : index + 1]}
-        at_sides = at_sides or (each and "side" in {chunk.value for chunk in self.chunks[index + 1 : index + 2]})
-        many = share * (4 if square else 2) if at_sides else share
+        led = [chunk.value for chunk in self.chunks[index : index + 2]]
+        at_sides = each and (led[0] == "flank" or led[1:] == ["side"])
+        sides = max((thing.sides for thing in self.said.things if thing.has_sides), default=2)
+        many = share * sides if at_sides else share
         last = (self.group or self.before)[-1:]
         more = self.chunks[self.at - 2].kind == "and" and last == self.acted and last[:1] and last[0].pick is None
         told = (last[0].thing.number or int(last[0].thing.count == 1)) if more else 0

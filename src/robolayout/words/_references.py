@@ -188,7 +188,7 @@ class References(Spoken):
 
     def _on_both_sides(self, chunk: Chunk, subjects: Sequence[Mention], objects: Sequence[Item]) -> Chunk:
         """Count what stands at each side of something; return the relation, which is "around" for several seats at a table."""
-        tables = [to.thing for to in mentions(objects) or self.holder if to.thing.sided]
+        tables = [to.thing for to in mentions(objects) or self.holder if to.thing.has_sides]
         each = (
             self.having and self.holder
         ) or "each" in chunk.adjectives  # "a sofa and a chair on either side of it" are one each
@@ -197,8 +197,7 @@ class References(Spoken):
             own = not objects and mention.det == "a"
             if not mention.per_side(chunk, own=own) or thing in self.dealt:
                 continue
-            square = bool(tables) and tables[0].square and "side" in chunk.adjectives
-            thing.number = (4 if square else 2) * (thing.number or 1)
+            thing.number = (tables[0].sides if tables and "side" in chunk.adjectives else 2) * (thing.number or 1)
             around = [to for to in mentions(objects[:1]) if to.det in ("each", "all")]
             thing.times = around[0].thing.count if around else thing.times if own else 1
         several = bool(tables) and all(mention.at_a_table and mention.several for mention in subjects)
@@ -296,9 +295,7 @@ class References(Spoken):
         """Note a relation; what stands at each of several things is as many times there."""
         self.about = list(subjects)
         led = objects or (self._led_back(chunk.value) if chunk.value in small.LED_BACK else [])
-        there = [
-            (b.thing, b.pick) for b in mentions(led)
-        ]  # "a stool and a stand 1 m from the stool" is about the stand
+        there = [(b.thing, b.pick) for b in mentions(led)]  # "a stool and a lamp 1 m from the stool": the lamp
         others = [a for a in subjects if not any(a.thing is b and a.pick in (None, pick) for b, pick in there)]
         if (subjects and not others) or (chunk.value in ("above", "behind", "opposite") and not led):
             return  # nothing stands at itself, or behind nothing
@@ -335,7 +332,7 @@ class References(Spoken):
         """Return a relation to a side as it is meant: of seats at both sides or at an end of a table, or to a half of the room."""
         if chunk.value == "flank":
             return self._on_both_sides(chunk, subjects, objects)
-        table = next((m.thing for m in mentions(led[:1]) if m.thing.sided), None)
+        table = next((m.thing for m in mentions(led[:1]) if m.thing.has_sides), None)
         if chunk.value == "end" and table is not None and all(m.sat_on for m in subjects):
             return replace(chunk, value="oneside", adjectives=("end",))
         half = chunk.value in ("left", "right") and place_in(led[:1], "side")

@@ -80,14 +80,11 @@ class ToldRows:
         counted = [(named, lines(scene, link, named)) for link, named, _ in told]
         facing = {name for link, named, _ in links if link.relation == "facing" for name in named}
         # what stands in rows of which no number is said and looks somewhere: in about as many rows as are usual
+        free = (named for named, count in counted if count is None and len(named) > 3)
         self.uncounted = {
-            name for named, count in counted if count is None and len(named) > 3 for name in facing & {*named}
+            name: round(math.sqrt(len(named) / WIDER)) for named in free for name in named if name in facing
         }
-        usual = (
-            (named, round(math.sqrt(len(named) / WIDER)) if named[0] in self.uncounted else count)
-            for named, count in counted
-        )
-        self.count = {name: count for named, count in usual for name in named}
+        self.count = {name: count for named, count in counted for name in named} | self.uncounted
         self.abreast = {name: math.ceil(len(named) / (self.count[name] or 1)) for _, named, _ in told for name in named}
         formed = ((link.relation, named) for link, named, _ in links if link.relation in small.SHAPES)
         self.shape = {
@@ -116,10 +113,9 @@ class ToldRows:
         turned, amid = self.turned.get(names[0], "alike"), names[0] in self.flanked
         gap, aisle = self.gap.get(names[0], 0.0), self.aisle.get(names[0], 0.0)
         count = self.count.get(names[0])
-        block = in_rows(names, count, turned, amid=amid, gap=gap, aisle=aisle)
-        others = {*range(2, len(names) // 2 + 1)} - {count} if names[0] in self.uncounted else ()
-        also = (in_rows(names, k, turned, amid=amid, gap=gap, aisle=aisle).ways for k in others)
-        return replace(block, also=tuple(way for ways in also for way in ways))
+        others = [k for k in range(2, len(names) // 2 + 1) if k != count] if names[0] in self.uncounted else []
+        first, *also = (in_rows(names, k, turned, amid=amid, gap=gap, aisle=aisle) for k in (count, *others))
+        return replace(first, also=tuple(way for block in also for way in block.ways))
 
     def opening(self, names: Sequence[str], to: Sequence[End]) -> Iterator[Demand]:
         """Yield that a shape is open to something that it stands before; a circle has it in its middle."""

@@ -77,14 +77,14 @@ class NamedThing:
         return one * self.times
 
     @property
-    def sided(self) -> bool:
+    def has_sides(self) -> bool:
         """Whether it is a table with people on each side of it."""
         return self.head in ("table", "island") and not self.noun.kind.endswith(tuple(small.LOW_TABLES))
 
     @property
-    def square(self) -> bool:
-        """Whether it is said to be square."""
-        return "square" in (*self.adjectives, *self.noun.said.split())
+    def sides(self) -> int:
+        """At how many sides of it "each side" is: of a square table at all four."""
+        return 4 if "square" in (*self.adjectives, *self.noun.said.split()) else 2
 
     def same(self, chunk: Chunk) -> bool:
         """Return whether a noun phrase may mean this thing, which was named before."""

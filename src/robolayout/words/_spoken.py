@@ -108,9 +108,7 @@ class Spoken:
         self.also: tuple[Chunk, list[Item]] | None = None  # "in the corner nearest the window stands a lamp"
         self.led: list[Mention] = []  # what a relation led back to
         self.refusing = self.negated = self.empty = self.verb = False
-        self.aside = (
-            False  # whether what is had was said after a comma: "the toilet is at a wall, with a basin opposite it"
-        )
+        self.aside = False  # whether what is had was said after a comma: "a toilet at a wall, with a basin opposite it"
         self.relative = self.having = self.listed = False
         self.recent: list[Mention] = []
         self.targets: list[Mention] = []

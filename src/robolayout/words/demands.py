@@ -3,17 +3,14 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 from dataclasses import dataclass
 
 from robolayout.constraints import RELATIONS, TOLERANCE, AssetRef, Outcome, PointRef, Relation, WallRef
 from robolayout.constraints._exact import footprint, shape
+from robolayout.constraints._relation import Way, best_way
 from robolayout.constraints.between import BetweenTwo
 from robolayout.scene import Layout, Scene
 from robolayout.words._ways import Ways
-
-Way = tuple[Relation, ...]
-"""Statements that meet a demand together."""
 
 
 @dataclass(frozen=True)
@@ -55,17 +52,12 @@ class Demand:
         """Return how the demand stands: the outcome of the worst statement of its best way."""
         if (judged := self.exact or self.gap) is not None:
             return judged.check(scene, layout)
-        worst = [_worst([relation.check(scene, layout) for relation in way]) for way in (*self.ways, *self.also)]
-        return min(worst, key=lambda outcome: (not outcome.met, outcome.value - outcome.limit))
+        return best_way((*self.ways, *self.also), scene, layout)[1]
 
     def names(self) -> frozenset[str]:
         """Return the names of all assets that it is about."""
         found = {name for way in self.ways for relation in way for name in relation.asset_names()}
         return frozenset(found | set(self.exact.asset_names() if self.exact else ()))
-
-
-def _worst(outcomes: Sequence[Outcome]) -> Outcome:
-    return max(outcomes, key=lambda outcome: (not outcome.met, outcome.value - outcome.limit))
 
 
 def stated(relation: str, *arguments: object) -> Relation:

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from shapely import LineString
 from shapely.geometry.base import BaseGeometry
 
+from robolayout._text import listed
 from robolayout.assets import category_of
 from robolayout.scene import OPENINGS
 from robolayout.verify._approaches import SIDES, needs_no_use, side_edge, strip, use_sides
@@ -234,7 +235,7 @@ def _all(count: int) -> str:
 
 def _listed(body: AgentReport, rows: NDArray[np.intp]) -> str:
     names = [body.navigation.boxes.names[row] for row in rows]
-    return ", ".join(names[: ADA.named]) + (f" and {len(names) - ADA.named} more" if len(names) > ADA.named else "")
+    return listed(names, ADA.named)
 
 
 def floor_space(body: AgentReport) -> Measured | None:
