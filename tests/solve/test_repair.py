@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from solve_rooms import BED, LAMP, QUICK, STANDS, problem_of, room_of
+from solve_rooms import BED, LAMP, QUICK, STANDS, TABLE, problem_of, room_of
 
 from robolayout.run.flow import solve
 from robolayout.scene import Asset, Pose
@@ -104,3 +104,17 @@ solver.on_top_of(lamp[0], night_stand[0])
 """
     )
     assert solve(scene, text, config=QUICK).phase == "push"
+
+
+def test_what_stands_on_a_thing_to_blame_stays_on_it_and_both_go_elsewhere() -> None:
+    side = Asset("side_table-0", "side table", (0.42, 0.42, 0.5))
+    scene = room_of(TABLE, side, LAMP)
+    text = """
+table[0].position = [2.0, 2.0, 0.375]
+side_table[0].position = [2.1, 2.1, 0.25]
+lamp[0].position = [2.1, 2.1, 0.7]
+solver.on_top_of(lamp[0], side_table[0])
+"""
+    layout = solve(scene, text, config=QUICK).layout
+    assert not physics(scene, layout).failing
+    assert abs(layout["lamp-0"].x - layout["side_table-0"].x) < 0.21 > abs(layout["lamp-0"].y - layout["side_table-0"].y)

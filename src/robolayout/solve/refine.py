@@ -126,9 +126,13 @@ class Solver:
             self._judged(world, self.verdict.worth)
 
     def _blamed(self, number: int) -> list[int]:
-        """Return the slots to blame that a stage may move, the most pressing first."""
-        moving = self.problem.movable(number)
-        return [slot for name in self.verdict.culprits if (slot := self.problem.slot[name]) in moving]
+        """Return the slots to blame that a stage may move, the most pressing first; with what stands on them they are to blame, too."""
+        moving, blamed = self.problem.movable(number), list[int]()
+        for slot in (self.problem.slot[name] for name in self.verdict.culprits):
+            while self.problem.stage[slot] > number:
+                slot = self.problem.parent[slot]
+            blamed += [slot] * (slot in moving)
+        return [*dict.fromkeys(blamed)]
 
     def _stage(self, stage: Stage) -> None:
         """Place what belongs to a stage."""

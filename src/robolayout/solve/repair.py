@@ -18,7 +18,7 @@ from robolayout.solve.proposals import carry, placing
 from robolayout.solve.push import nearest
 from robolayout.solve.runner import BATCH, Runner
 from robolayout.solve.score import Score
-from robolayout.solve.stage import Stage
+from robolayout.solve.stage import Stage, on_top, relative
 
 
 @dataclass(frozen=True)
@@ -94,6 +94,8 @@ class Repair:
         for term in rows * 2:
             whole = nearest(self.problem, term, slot, whole, world)
         poses = np.concatenate([whole, walls, *free])
+        if self.problem.parent[slot] >= 0:
+            poses = _on_its_top(self.problem, slot, poses, world)
         _, first = np.unique(np.round(poses / MENDING.same), axis=0, return_index=True)
         return poses[np.sort(first)]
 
@@ -129,6 +131,17 @@ class Repair:
         away = np.hypot(*(world[moving, :2] - world[slot, :2]).T)
         near = moving[np.argsort(away, kind="stable")[: int(self.rng.integers(*MENDING.few))]].tolist()
         return set(near).union(*(self.groups[other] for other in near))
+
+
+def _on_its_top(problem: Problem, slot: int, poses: Floats, world: Floats) -> Floats:
+    """Return the poses (m, 4) nearest to some of a slot (m, 4) at which it lies on what carries it."""
+    middle, half = on_top(problem, slot, world[problem.parent[slot]])
+    local = relative(middle, poses)
+    hx, hy = problem.half[slot]
+    c, s = np.abs(local[:, 2:]).T
+    slack = np.maximum(half - np.column_stack([c * hx + s * hy, s * hx + c * hy]), 0.0)
+    local[:, :2] = np.clip(local[:, :2], -slack, slack)
+    return compose(middle, local)
 
 
 def _rings(pose: Floats, radii: Sequence[float]) -> Floats:

@@ -188,11 +188,11 @@ def _frames(problem: Problem, number: int, world: Floats, size: int) -> tuple[Fl
                 parent = problem.parent[parent]
             carrier[i] = parent
         else:
-            anchor[i], limit[i] = _on_top(problem, i, world[parent])
+            anchor[i], limit[i] = on_top(problem, i, world[parent])
     return anchor, carrier, limit
 
 
-def _on_top(problem: Problem, slot: int, carrier: Floats) -> tuple[Floats, Floats]:
+def on_top(problem: Problem, slot: int, carrier: Floats) -> tuple[Floats, Floats]:
     """Return the middle (x, y, cos, sin) and the half sizes of what a slot may take of the surface on which it stands."""
     place, whole = problem.resting[slot], problem.half[problem.parent[slot]]
     x0, y0, x1, y1 = place.rectangle if place else (*-whole, *whole)
