@@ -57,3 +57,14 @@ def test_a_column_is_a_part_of_the_house_that_nobody_uses() -> None:
     report = rl.generate(Scene(ROOM, (column, bed), task_description="a bedroom with a column"), agent="adult").report
     assert ("a column", "met") in {(row.words, row.verdict) for row in report.asked}
     assert report.agents[0].usage.uses["column-0"].stand is None
+
+
+def test_a_screen_hangs_high_enough_for_what_is_asked_to_stand_under_it() -> None:
+    text = (
+        "A meeting room for ten with a screen on the short wall and a sideboard under it, whiteboard on the other wall."
+    )
+    result = rl.generate(text)
+    screen, board = (result.scene.by_name[name] for name in ("projection_screen-0", "sideboard-0"))
+    assert result.report.ok, result.report.violations
+    assert result.layout[screen.name].z - screen.size[2] / 2 >= board.size[2]
+    assert result.solution.phase == "built"

@@ -65,6 +65,14 @@ def test_a_window_in_another_wall_than_the_one_asked_for_is_not_met() -> None:
         assert [row.verdict == "met" for row in rows if row.kind == "opening"] == [side in there]
 
 
+@pytest.mark.parametrize("seed", range(6))
+def test_no_window_is_where_a_board_of_a_short_wall_is_to_hang(seed: int) -> None:
+    text = "A meeting room for ten with a screen on the short wall and a whiteboard on the opposite wall."
+    room = scene_from_sentence(text, seed=seed)[0].room
+    assert room.windows
+    assert {room.walls[window.wall].length for window in room.windows} == {max(wall.length for wall in room.walls)}
+
+
 @pytest.mark.parametrize(
     ("text", "name"),
     [

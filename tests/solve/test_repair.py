@@ -117,4 +117,6 @@ solver.on_top_of(lamp[0], side_table[0])
 """
     layout = solve(scene, text, config=QUICK).layout
     assert not physics(scene, layout).failing
-    assert abs(layout["lamp-0"].x - layout["side_table-0"].x) < 0.21 > abs(layout["lamp-0"].y - layout["side_table-0"].y)
+    assert (
+        abs(layout["lamp-0"].x - layout["side_table-0"].x) < 0.21 > abs(layout["lamp-0"].y - layout["side_table-0"].y)
+    )

@@ -122,7 +122,8 @@ def _placed(room: Room, wishes: RoomWishes, name: str) -> Iterator[tuple[list[li
     for link in wishes.reading.parsed.links:
         there = [wishes.kinds[mention.thing.noun.kind] for mention in link.subjects]
         for place in places(link.objects, name):
-            words = {walls[word] for word in place.words if walls.get(word) in COMPASS}
+            known = {*COMPASS, "long", "short"} if room.doors else {*COMPASS}
+            words = {walls[word] for word in place.words if walls.get(word) in known}
             yield [_meant(room, Place("wall", (word,))) for word in words], there
             if room.doors and name == "wall" and place.by is not None and place.by[1].name == "door":
                 yield [_meant(room, place)], there

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from itertools import groupby
 
 import numpy as np
 import shapely
@@ -53,11 +54,24 @@ def hang(site: Site, name: str, rng: np.random.Generator) -> None:
     places = [_hang_cost(site, name, wall, t) for wall in site.room.walls for t in _hang_offsets(site, name, wall)]
     if not places:
         return
-    _, spot = min(places, key=lambda place: place[0] + 0.2 * float(rng.random()))
+    costs, spots = np.array([cost for cost, _ in places]), [spot for _, spot in places]
+    poses = np.array([(spot.member.x, spot.member.y, spot.member.yaw) for spot in spots])
+    for _, stretch in groupby(range(len(spots)), key=lambda i: _stretch(site, spots[i].member)):
+        mine = [*stretch]  # the rows of what is said are those of one stretch of wall
+        costs[mine] += site.missed([Member(name)], poses[mine])
+    costs += wished(site, name, poses[:, :2], site.wants[name].weights)
+    spot = spots[int(np.argmin(costs + 0.2 * rng.random(len(spots))))]
     site.settle(name, spot)
     if site.standings and _juts_out(site, spot.member) > 0:
         site.floor.take(site.floor.shadow(corners_of(spot.member, site.size(name))))
         site.survey()
+
+
+def _stretch(site: Site, member: Member) -> tuple[float, float, tuple[bool, ...]]:
+    """Return what tells the stretches of walls apart: heading, height, and the side of each opening on which it is."""
+    middles = ((*site.room.walls[o.wall].point(o.center),) for o in (*site.room.doors, *site.room.windows))
+    c, s = math.cos(member.yaw), math.sin(member.yaw)
+    return member.yaw, member.bottom, tuple(c * (y - member.y) > s * (x - member.x) for x, y in middles)
 
 
 def _hang_offsets(site: Site, name: str, wall: Wall) -> list[float]:
@@ -124,13 +138,14 @@ def _hang_cost(site: Site, name: str, wall: Wall, t: float) -> tuple[float, Spot
     cost += HANGING.out_of_reach * bool(shapely.intersects(site.outline(member), site.openings).any())
     cost += _crowding(site, name, member) + _sight(site, name, member) + _far(site, name, member)
     cost += HANGING.crowded * _used_room(site, name, member)
-    cost += float(site.missed([Member(name)], np.array([[member.x, member.y, member.yaw]]))[0])
-    cost += float(wished(site, name, np.array([[member.x, member.y]]), want.weights)[0])
     return cost, Spot(member, "hang", wall.index, owner)
 
 
 def _below(site: Site, name: str, wall: Wall, t: float) -> tuple[str | None, float, float, float]:
-    """Return what stands below that place and the thing belongs over, what that is worth, its height, and how far it juts out."""
+    """Return what stands below that place and the thing belongs over, what that is worth, its height, and how far it juts out.
+
+    What is yet to come below it has its height, too.
+    """
     over, (depth, width, _) = site.wants[name].over, site.size(name)
     here = [s for s in site.spans if s.wall == wall.index and site.spots[s.name].mode != "hang"]
     close = [s for s in here if s.depth <= 0.15 and s.rect[0] < t + width / 2 and s.rect[2] > t - width / 2]
@@ -142,7 +157,8 @@ def _below(site: Site, name: str, wall: Wall, t: float) -> tuple[str | None, flo
         centred = abs((span.rect[0] + span.rect[2]) / 2 - t) < HANGING.centred
         if span.name in over and centred and site.spots[span.name].wall == wall.index and span.name not in hung_over:
             return span.name, 6.0 - over.index(span.name), max(top, span.rect[3]), ahead
-    return None, 0.0, top, ahead
+    coming = (site.size(other)[2] for other in over if other not in site.spots and site.wants[other].standing)
+    return None, 0.0, max(top, next(coming, 0.0)), ahead
 
 
 def _used_room(site: Site, name: str, member: Member) -> float:
