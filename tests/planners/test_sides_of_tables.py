@@ -142,3 +142,29 @@ def test_what_is_had_after_a_comma_and_stands_elsewhere_is_not_at_what_has_it() 
     relations = [row.understanding for row in read_words(scene).rows if row.kind == "relation"]
     assert any("bathroom_vanity-0, shower-0" in said for said in relations)
     assert not any("bathroom_vanity-0, toilet-0" in said for said in relations)
+
+
+def test_chairs_all_at_one_side_are_not_around_a_table() -> None:
+    result = made("a dining room of 6 x 6 m with a table with six chairs around it")
+    (table,), chairs = of(result, "dining_table"), of(result, "chair")
+    here, (depth, width, _) = result.layout[table], result.scene.by_name[table].size
+    c, sin = math.cos(here.yaw), math.sin(here.yaw)
+    moved = {
+        name: replace(
+            result.layout[name], x=here.x + out * c - v * sin, y=here.y + out * sin + v * c, yaw=here.yaw + math.pi
+        )
+        for out, v, name in ((depth / 2 + 0.3, width * (i - 2.5) / 30, name) for i, name in enumerate(chairs))
+    }
+    for there, verdict in ((result.layout, "met"), (rl.Layout({**result.layout, **moved}), "unmet")):
+        (row,) = (row for row in read_words(result.scene).judged(result.scene, there) if "around" in row.words)
+        assert row.verdict == verdict
+
+
+def test_a_table_by_a_window_leaves_room_for_the_chairs_around_it() -> None:
+    result = made("a dining room with a table by the window and eight chairs around it")
+    assert result.report.ok
+    assert [row.verdict for row in result.report.asked if row.kind == "relation"] == ["met", "met"]
+    ((wall, window),) = ((result.scene.room.walls[w.wall], w) for w in result.scene.room.windows)
+    (table,) = of(result, "dining_table")
+    middle = wall.point(window.offset + window.width / 2)
+    assert math.dist(middle, result.layout[table].at) < 1.2 + result.scene.by_name[table].size[1] / 2

@@ -10,6 +10,7 @@ from robolayout.constraints._sides import SideRelation
 from robolayout.constraints.against_wall import AgainstWall
 from robolayout.constraints.align_with import AlignWith
 from robolayout.constraints.any_of import AnyOf
+from robolayout.constraints.between import BetweenTwo
 from robolayout.constraints.distance_constraint import DistanceConstraint
 from robolayout.constraints.in_front_of import InFrontOf
 from robolayout.constraints.in_rows import InRows
@@ -64,7 +65,7 @@ def asked_lines(scene: Scene, demands: Sequence[Demand], known: set[str]) -> dic
     placed, of_known = subjects(demands), [demand for demand in demands if demand.names() <= known]
     for demand in of_known:
         found += demand.ways[0] if len(demand.ways) == 1 else [AnyOf(demand.ways)]
-        found += [demand.exact] if demand.exact is not None else []
+        found += [demand.exact] if isinstance(demand.exact, BetweenTwo) else []
     under = hung_over(scene, of_known)
     found += [AgainstWall(AssetRef(name)) for name in under if name not in placed]
     lines = {f"solver.{program.call(relation)}": relation.asset_names()[0] for relation in found}
@@ -226,7 +227,7 @@ def held_by_walls(demands: Sequence[Demand]) -> set[str]:
 def needing_room(cast: Mapping[str, Cast], demands: Sequence[Demand]) -> set[str]:
     """Return what is placed first: what is asked into one corner and no other, in one row or a circle, or with two others at its sides."""
     only = said(demand for demand in demands if len(demand.ways) == 1)
-    between = [demand.exact.asset_names() for demand in demands if demand.exact is not None]
+    between = [demand.exact.asset_names() for demand in demands if isinstance(demand.exact, BetweenTwo)]
     found = {middle for middle, *ends in between if {cast[end].anchor for end in ends} == {middle}}
     for one in only:
         names = {*one.asset_names()}
@@ -262,7 +263,7 @@ def _chains(
     cast: Mapping[str, Cast], demands: Sequence[Demand], passage: float
 ) -> Iterator[tuple[str, tuple[str, Join]]]:
     """Yield the joins of two things that face each other, and of what is between two of which nothing else is asked together."""
-    between = [demand.exact.asset_names() for demand in demands if demand.exact is not None]
+    between = [demand.exact.asset_names() for demand in demands if isinstance(demand.exact, BetweenTwo)]
     between = [names for names in between if len(names) == 3]
     for names in between:
         others = said(demand for demand in demands if demand.names() != frozenset(names))

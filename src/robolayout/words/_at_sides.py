@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import replace
 
 from robolayout.constraints import AssetRef, PointRef, Relation, WallRef
+from robolayout.constraints.around import Around
 from robolayout.scene import ROUNDING
 from robolayout.words import _function_words as small
 from robolayout.words import _ways as ways_of
@@ -56,9 +58,16 @@ class AtSides(AtPlaces):
         return found
 
     def _around(self, it: Asked) -> Iterator[Demand]:
-        """At the sides of a table that are told, else somewhere around each."""
-        sided = it.sided and all(self._is(b, small.BEARING) for b in it.others)
-        yield from self._sided(it) if sided else (self._seat_around(a, b) for a, b in it.twos)
+        """At the sides of a table that are told, else somewhere around each: chairs not all at one side."""
+        if it.sided and all(self._is(b, small.BEARING) for b in it.others):
+            yield from self._sided(it)
+            return
+        chairs = [a for a in it.subjects if self._is(a, ("chair",)) and not self._is(a, ("armchair",))]
+        at = {b: [AssetRef(a) for a, to in it.twos if to == b and a in chairs] for b in it.others}
+        for a, b in it.twos:
+            whole = at[b][2:] and at[b][-1].name == a and self._is(b, ("table",)) and a not in self.lounging
+            demand = self._seat_around(a, b)
+            yield replace(demand, exact=Around(tuple(at[b]), AssetRef(b))) if whole else demand
 
     def _seat_around(self, a: str, b: str) -> Demand:
         """Near it and turned to it; several sofas each at a side of their table: in an L, a U or all round."""

@@ -11,6 +11,7 @@ from shapely.geometry.base import BaseGeometry
 
 from robolayout.assets import category_of
 from robolayout.constraints import Relation
+from robolayout.constraints.between import BetweenTwo
 from robolayout.scene import Layout, Room, Scene
 from robolayout.words import _function_words as small
 from robolayout.words._lexicon import grammar
@@ -71,8 +72,10 @@ def met(good: bool, value: str) -> Finding:
 
 def said(demand: Demand) -> str:
     """Return a demand in words."""
-    if demand.exact is not None:
+    if isinstance(demand.exact, BetweenTwo):
         return f"{demand.exact.a} between {demand.exact.b} and {demand.exact.c}"
+    if demand.exact is not None:
+        return demand.exact.sentence()
     if demand.gap is not None:
         return f"{demand.gap.a} {demand.gap.asked} from {' or '.join(map(str, demand.gap.to))}"
     first = ", ".join(relation.sentence() for relation in demand.ways[0])

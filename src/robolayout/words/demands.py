@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from robolayout.constraints import RELATIONS, TOLERANCE, AssetRef, Outcome, PointRef, Relation, WallRef
 from robolayout.constraints._exact import footprint, shape
 from robolayout.constraints._relation import Way, best_way
+from robolayout.constraints.around import Around
 from robolayout.constraints.between import BetweenTwo
 from robolayout.scene import Layout, Scene
 from robolayout.words._ways import Ways
@@ -44,7 +45,7 @@ class Demand:
     """One thing that must hold, and the ways in which it can."""
 
     ways: tuple[Way, ...]  # statements of the public vocabulary; one of these ways is enough
-    exact: BetweenTwo | None = None  # what is judged instead, where the ways only lead there
+    exact: BetweenTwo | Around | None = None  # what is judged instead, where the ways only lead there
     gap: EdgeGap | None = None  # the same of metres between edges
     also: tuple[Way, ...] = ()  # further ways that are as good, of which planners need not know
 
