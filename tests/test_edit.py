@@ -145,6 +145,11 @@ def test_what_is_kept_does_not_move_by_a_bit(right: rl.Result) -> None:
     assert all(only.layout[name] == pose for name, pose in shoved.items() if name != "double_bed-0")
 
 
+def test_one_name_need_be_in_no_list(right: rl.Result) -> None:
+    found = rl.generate(right.scene, start=right.layout.moved("double_bed-0", by=(0.2, 0.0)), keep="double_bed-0")
+    assert found.layout["double_bed-0"].x == right.layout["double_bed-0"].x + 0.2
+
+
 def test_what_has_no_pose_is_fitted_in(right: rl.Result) -> None:
     without = rl.Layout({n: p for n, p in right.layout.items() if not n.startswith("wardrobe")})
     result = rl.generate(right.scene, start=without)

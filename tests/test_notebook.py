@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import copy
 import math
+import pickle
 import xml.etree.ElementTree as ElementTree
 from dataclasses import replace
 from importlib import import_module
@@ -87,3 +89,10 @@ def test_without_pandas_the_package_is_named(result: rl.Result, monkeypatch: pyt
     monkeypatch.setattr(import_module("robolayout.verify.report"), "find_spec", lambda name: None)
     with pytest.raises(MissingExtraError, match=r"to_frame\(\) needs the package 'pandas': pip install pandas\."):
         result.to_frame()
+
+
+def test_a_result_goes_to_another_process_and_is_copied_with_all_that_was_worked_out(result: rl.Result) -> None:
+    said = result.report.to_dict()
+    for found in (pickle.loads(pickle.dumps(result)), copy.deepcopy(result)):
+        assert found.layout == result.layout and found.report.to_dict() == said
+        assert found.report.agents[0].drives == result.report.agents[0].drives

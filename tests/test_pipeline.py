@@ -7,13 +7,16 @@ import math
 import subprocess
 import sys
 from dataclasses import replace
+from pathlib import Path
 
+import numpy as np
 import pytest
 
 import robolayout as rl
+from robolayout._errors import SceneError
 from robolayout.planners import OfflinePlanner, PlanRequest
 from robolayout.run import flow
-from robolayout.scene import layout_from_dict
+from robolayout.scene import Opening, layout_from_dict
 from running import ROOT, Furnished
 
 TINY = {
@@ -243,3 +246,74 @@ def test_what_a_program_forgets_stands_as_is_usual() -> None:
     assert [item.met for item in result.report.statements] == [True]
     assert {wish.by for wish in result.program.wishes} == {"custom"}
     assert not rl.generate(scene, program=program, solver="paper").program.wishes
+
+
+SQUARE = ((0.0, 0.0), (4.0, 0.0), (4.0, 4.0), (0.0, 4.0))
+BED = rl.Asset("my bed", "bed", (2.0, 1.6, 0.5))
+
+
+@pytest.mark.parametrize(
+    ("room", "asset", "message"),
+    [
+        ({}, {"size": (-1.0, 1.0, 1.0)}, r"asset 'my bed': depth \(boundingBox.x\) must be above 0, but is -1.0"),
+        ({}, {"size": (math.nan, 1.0, 1.0)}, "must be a finite number, but is nan"),
+        ({"wall_height": 0.0}, {}, "boundary.wall_height must be above 0, but is 0.0"),
+        ({"vertices": (SQUARE[0], SQUARE[2], SQUARE[1], SQUARE[3])}, {}, "walls 0 and 2 cross or touch"),
+        ({"doors": (Opening(0, 3.5, 0.9, 2.05),)}, {}, "ends at 4.400 m, past the end of wall 0"),
+    ],
+)
+def test_a_scene_made_by_hand_is_refused_as_its_file_would_be(room, asset, message) -> None:
+    scene = rl.Scene(replace(rl.Room(SQUARE, 2.5), **room), (replace(BED, **asset),))
+    with pytest.raises(SceneError, match=message):
+        rl.generate(scene)
+
+
+def test_a_clockwise_room_made_by_hand_is_turned_around_with_its_doors_and_its_numbers_may_be_numpys() -> None:
+    corners = tuple((np.float32(x), np.float64(y)) for x, y in SQUARE[::-1])
+    room = rl.Room(corners, np.float32(2.5), (Opening(np.int64(0), np.float32(1.0), 0.9, 2.05),))  # type: ignore[arg-type]
+    found = rl.generate(rl.Scene(room, (BED,)), attempts=1, config=rl.SolverConfig(starts=1))
+    assert "ran clockwise" in found.scene.warnings[-1]
+    assert found.scene.room.area == 16.0 and type(found.scene.room.wall_height) is float
+    door = found.scene.room.doors[0]
+    middle = found.scene.room.walls[door.wall].point(door.center)
+    assert middle == (pytest.approx(1.45), 4.0), "in the upper wall, where it was said to be"
+
+
+def test_two_things_of_one_name_are_no_scene() -> None:
+    with pytest.raises(SceneError, match="two assets are called 'my bed'; give each its own name"):
+        rl.Scene(rl.Room(SQUARE, 2.5), (BED, BED))
+
+
+@pytest.mark.parametrize("attempts", [0, -1, 1.5, "two"])
+def test_attempts_are_counted(attempts: int) -> None:
+    with pytest.raises(rl.InputError, match="attempts must be a whole number of at least 1, but is "):
+        rl.generate(rl.Scene(rl.Room(SQUARE, 2.5), (BED,)), attempts=attempts)
+
+
+def test_what_is_no_body_is_named() -> None:
+    with pytest.raises(rl.InputError, match="the agent must be an object with named values, but is 3"):
+        rl.generate(rl.Scene(rl.Room(SQUARE, 2.5), (BED,)), agent=3)  # type: ignore[arg-type]
+
+
+def test_a_program_is_given_as_text_itself_or_its_file(tmp_path: Path) -> None:
+    scene = rl.Scene(rl.Room(SQUARE, 2.5), (BED,))
+    text = "my_bed[0].position = [1.2, 2.0, 0.25]\nsolver.against_wall(my_bed[0], walls[1])\n"
+    (tmp_path / "program.py").write_text(text, encoding="utf-8")
+    ways = (text, rl.read_program(text, scene), tmp_path / "program.py")
+    found = [rl.generate(scene, program=way, config=rl.SolverConfig(starts=1)) for way in ways]
+    assert found[0].layout["my bed"].x == pytest.approx(2.99, abs=0.02), "its head at the right wall"
+    assert [one.layout for one in found] == [found[0].layout] * 3
+    judged = [rl.judge(scene, found[0].layout, way).report.statements for way in ways]
+    assert [(one.sentence, one.met) for (one,) in judged] == [("against_wall(my bed, walls[1])", True)] * 3
+
+
+@pytest.mark.parametrize("x", [math.nan, 1e300])
+def test_a_pose_that_no_file_may_give_is_judged_as_none(x: float) -> None:
+    scene = rl.load_scene(ROOT / "examples" / "bedroom.json")
+    report = rl.judge(scene, rl.Layout({"double_bed-0": rl.Pose(x, 0.0, 0.0, 0.0)})).report
+    assert report.figures["placed_share"] == 0.0 and "double_bed-0 is not placed." in report.violations
+
+
+def test_comparing_takes_bodies_as_generate_does() -> None:
+    found = rl.compare(rl.Scene(rl.Room(SQUARE, 2.5), (BED,)), "cat,child_6", config=rl.SolverConfig(starts=1))
+    assert [one.scene.agent.name for one in found] == ["cat", "child_6"]

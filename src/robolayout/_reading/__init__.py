@@ -5,8 +5,8 @@ and no more of it is read than is allowed. Text is bounded in depth, in values a
 parser sees it; a mesh in its parts, triangles, bytes and pixels. `Checker` then validates values with one clear sentence each.
 """
 
-from robolayout._reading.check import MESH_SUFFIXES, Checker, inside, misspelt, regular_bytes, show
+from robolayout._reading.check import MESH_SUFFIXES, Checker, inside, misspelt, regular_bytes, show, whole
 from robolayout._reading.limits import LIMITS
 from robolayout._reading.syntax import Unreadable
 
-__all__ = ["LIMITS", "MESH_SUFFIXES", "Checker", "Unreadable", "inside", "misspelt", "regular_bytes", "show"]
+__all__ = ["LIMITS", "MESH_SUFFIXES", "Checker", "Unreadable", "inside", "misspelt", "regular_bytes", "show", "whole"]

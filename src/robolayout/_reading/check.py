@@ -13,10 +13,11 @@ import stat
 from collections.abc import Callable, Iterable, Mapping
 from contextlib import suppress
 from dataclasses import dataclass
+from numbers import Integral, Real
 from pathlib import Path
 from typing import TypeVar, cast
 
-from robolayout._errors import RoboLayoutError
+from robolayout._errors import InputError, RoboLayoutError
 from robolayout._reading.limits import LIMITS
 from robolayout._reading.syntax import Unreadable, check_plain, decoded, json_value, toml_value
 
@@ -84,17 +85,21 @@ class Checker:
         is_length: bool = True,
     ) -> float:
         """Return `value` as a finite float within (above, most] or [least, most]; a length may be in the wrong unit."""
-        if isinstance(value, bool) or not isinstance(value, (int, float)) or abs(value) > 1e300 or math.isnan(value):
+        number = math.inf
+        if isinstance(value, Real) and not isinstance(value, bool):
+            with suppress(OverflowError):
+                number = float(value)
+        if not abs(number) <= 1e300:
             raise self.error(f"{where} must be a finite number, but is {show(value)}.")
-        if above is not None and value <= above:
+        if above is not None and number <= above:
             raise self.error(f"{where} must be above {above:g}, but is {show(value)}.")
-        if least is not None and value < least:
+        if least is not None and number < least:
             raise self.error(f"{where} must be at least {least:g}, but is {show(value)}.")
-        if value > most:
-            told = is_length and most <= LIMITS.length and value <= 100 * most
-            ask = f" Lengths are in metres: is it in centimetres? Then write {value / 100:g}." if told else ""
+        if number > most:
+            told = is_length and most <= LIMITS.length and number <= 100 * most
+            ask = f" Lengths are in metres: is it in centimetres? Then write {number / 100:g}." if told else ""
             raise self.error(f"{where} must be at most {most:g}, but is {show(value)}.{ask}")
-        return float(value) + 0.0
+        return number + 0.0
 
     def numbers(self, value: object, where: str, count: tuple[int, ...]) -> tuple[float, ...]:
         """Return a list of as many finite numbers as one of `count` says."""
@@ -102,7 +107,7 @@ class Checker:
         if len(entries) not in count:
             allowed = " or ".join(str(n) for n in count)
             raise self.error(f"{where} must have {allowed} numbers, but has {len(entries)}.")
-        far = LIMITS.length * 10
+        far = LIMITS.farthest
         return tuple(self.number(entry, f"{where}[{i}]", least=-far, most=far) for i, entry in enumerate(entries))
 
     def text(self, value: object, where: str, most: int = LIMITS.text) -> str:
@@ -160,6 +165,12 @@ class Checker:
         """Return a value that is kept as it is, once it is known that it can be written again."""
         self.parse(check_plain, value, where)
         return value
+
+
+def whole(value: object, where: str, least: int = 0) -> None:
+    """Refuse what is no whole number of at least `least`."""
+    if not isinstance(value, Integral) or value < least:
+        raise InputError(f"{where} must be a whole number of at least {least}, but is {show(value)}.")
 
 
 def misspelt(keys: Iterable[str], known: Iterable[str], where: str) -> list[str]:

@@ -11,7 +11,8 @@ class Limits:
 
     text: int = 10_000  # longest text in a file, in characters
     shown: int = 300  # characters of a path that a message shows
-    length: float = 1000.0  # largest coordinate or length in metres
+    length: float = 1000.0  # largest length in metres
+    farthest: float = 10_000.0  # largest coordinate in metres, or other number of a list
     file_bytes: int = 20_000_000  # largest scene, layout or asset file in bytes
     mesh_bytes: int = 100_000_000  # largest mesh file in bytes
     pixels: int = 64_000_000  # pixels of all pictures of a file (8,000 x 8,000), each four bytes when it is looked at

@@ -15,6 +15,7 @@ from pathlib import Path
 import numpy as np
 
 from robolayout._errors import SceneError
+from robolayout._reading import whole
 from robolayout.assets import CATALOGUE, Category, own_assets, own_kinds
 from robolayout.assets.catalogue import Entry
 from robolayout.assets.palette import PALETTES
@@ -116,6 +117,8 @@ def scene_from_sentence(
     Raises:
         SceneError: The sentence is empty, names no room, or wishes more than the room can hold.
     """
+    whole(seed, "seed")
+    whole(variant, "variant")
     rng = np.random.default_rng((seed, variant))
     own, picks = own_kinds(own_assets(Path(assets))) if assets else {}, np.random.default_rng((seed, variant))
     meshes = {name: made[int(picks.integers(len(made)))] for name, made in own.items()}

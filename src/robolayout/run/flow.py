@@ -3,21 +3,22 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Generator, Iterator, Mapping, Sequence
+from collections.abc import Callable, Generator, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import islice
 from pathlib import Path
 from typing import Any
 
 from robolayout._errors import SceneError
+from robolayout._reading import whole
 from robolayout.floor import FLOOR, cell_size
 from robolayout.planners import Critic, Group, GroupPlanner, OfflinePlanner, Planner, PlanRequest
 from robolayout.program import Program, Reconciled, read_program, reconcile
 from robolayout.run.editing import as_it_was, hung, supported, told
-from robolayout.run.given import as_scene, as_start, completed, guesses_of, pinned_poses
+from robolayout.run.given import as_scene, as_start, as_text, completed, guesses_of, pinned_poses
 from robolayout.run.result import Attempt, Clock, Progress, Result
 from robolayout.run.verdict import make_judge
-from robolayout.scene import DRESSINGS, Agent, Layout, Pose, Scene
+from robolayout.scene import DRESSINGS, Layout, Pose, Scene, load_agents
 from robolayout.solve import (
     PAPER,
     UNREFINED,
@@ -58,9 +59,9 @@ FLOW = FlowConfig()
 def generate(  # noqa: PLR0913 - the public page of everything that can be chosen
     scene: Scene | Mapping[str, Any] | str | Path,
     *,
-    program: str | None = None,
+    program: Program | str | Path | None = None,
     planner: Planner | None = None,
-    agent: AgentSpec | None = None,
+    agent: AgentSpec | Iterable[AgentSpec] | None = None,
     seed: int = 0,
     attempts: int = 4,
     solver: str = "default",
@@ -75,7 +76,7 @@ def generate(  # noqa: PLR0913 - the public page of everything that can be chose
 
     Args:
         scene: A scene, its dictionary, its file, or words that say what the room should be.
-        program: Text of a constraint program to use instead of planning.
+        program: A constraint program to use instead of planning: itself, its text, or its file as a `Path`.
         planner: Who writes the program; the offline planner if None.
         agent: The body or bodies to lay out for; the scene's own if None.
         seed: Settles every choice: same input and seed, same layout.
@@ -100,20 +101,21 @@ def generate(  # noqa: PLR0913 - the public page of everything that can be chose
         if too_full := overfull(scene):
             raise SceneError(too_full[0])  # counted before any search
         wishes = read_words(scene)
+        text = None if program is None else as_text(program, scene)
     if solver == "default":
         traced = (config or SolverConfig()).trace  # a right guess needs no search, unless it is recorded
-        warm_up(scene, config, missing_only=program is None and attempts > 1 and not traced)
+        warm_up(scene, config, missing_only=text is None and attempts > 1 and not traced)
     run = Run(scene, seed, solver, config, clock, say, wishes)
     given = None if start is None else as_start(scene, start)
     pinned = pinned_poses(scene, given, keep, free)
     with clock.station("plan"):
         say("plan")
         groups = planner.group(scene)
-    if given is None and program is None and isinstance(planner, GroupPlanner):
+    if given is None and text is None and isinstance(planner, GroupPlanner):
         return run.by_groups(planner, groups)
     if given is None:
-        return run.result(run.whole(planner, program, attempts), groups)
-    return run.result(told(run.edited(planner, program, given, pinned), given, pinned), groups)
+        return run.result(run.whole(planner, text, attempts), groups)
+    return run.result(told(run.edited(planner, text, given, pinned), given, pinned), groups)
 
 
 @dataclass(frozen=True)
@@ -151,6 +153,7 @@ class Run:
 
     def whole(self, planner: Planner, program: str | None, attempts: int) -> Attempt:
         """Plan all assets at once; while demands stay unmet ask again, and keep the best."""
+        whole(attempts, "attempts", 1)
         best: Attempt | None = None
         least, seed = (math.inf, True), self.seed
         texts = self._texts(planner, program, attempts, lambda: best)
@@ -177,10 +180,8 @@ class Run:
             served = report.ok and not verdict.barred  # the judge asks for more free floor than the report demands
             if served or (verdict.ok and any(one.impossible for one in report.agents)):
                 break
-            if number and len(self.scene.assets) > FLOW.many:
-                break
-            lost = best.solution.verdict.hard + best.solution.verdict.access
-            if number + 1 >= FLOW.ahead and lost > FLOW.forlorn * len(self.scene.assets):
+            lost, things = best.solution.verdict.hard + best.solution.verdict.access, len(self.scene.assets)
+            if (number and things > FLOW.many) or (number + 1 >= FLOW.ahead and lost > FLOW.forlorn * things):
                 break
         assert best is not None
         if attempts == 1 or self.solver != "default":
@@ -271,8 +272,7 @@ class Run:
                 against = conflicts(self.scene, best.reconciled, layout, self.wishes.said, seed=self.seed)
                 report = report.with_conflicts(against)
         lost = {s.relation: against[s.number] for s in best.asked.statements if s.number in against}
-        walked = report.agents[0].navigation.main
-        report = replace(report, asked=self.wishes.judged(self.scene, layout, walked, lost))
+        report = replace(report, asked=self.wishes.judged(self.scene, layout, report.agents[0].navigation.main, lost))
         cell = cell_size(self.scene.room, (self.config or SolverConfig()).cell, FLOOR.route_cells)
         if cell > FLOW.coarse:
             note = f"The room is so large that the search looks for ways on cells of {cell:.2f} m: it may miss narrower gaps."
@@ -429,9 +429,9 @@ def solve_many(
     return solve_samples(problems, [make_judge(scene, program) for program in programs], **given)
 
 
-def compare(scene: Scene, agents: tuple[Agent, ...], **options: Any) -> tuple[Result, ...]:
-    """Lay out one scene for several bodies, one after the other."""
-    return tuple(generate(replace(scene, agents=(agent,)), **options) for agent in agents)
+def compare(scene: Scene, agents: AgentSpec | Iterable[AgentSpec], **options: Any) -> tuple[Result, ...]:
+    """Lay out one scene for several bodies, one after the other; the options are those of `generate`."""
+    return tuple(generate(scene, agent=agent, **options) for agent in load_agents(agents))
 
 
 def dressed(result: Result, amount: str, *, seed: int) -> Result:

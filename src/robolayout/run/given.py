@@ -5,13 +5,20 @@ from __future__ import annotations
 import os
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
-from numbers import Integral
 from pathlib import Path
 from typing import Any
 
 from robolayout._errors import InputError, among
-from robolayout._reading import show
-from robolayout.planners import OfflinePlanner, Planner, PlanRequest, RoomPlanner, Understanding, scene_from_sentence
+from robolayout._reading import whole
+from robolayout.planners import (
+    FilePlanner,
+    OfflinePlanner,
+    Planner,
+    PlanRequest,
+    RoomPlanner,
+    Understanding,
+    scene_from_sentence,
+)
 from robolayout.program import CUSTOM, Guess, Program, Statement, read_program
 from robolayout.scene import (
     Agent,
@@ -24,6 +31,7 @@ from robolayout.scene import (
     load_layout,
     load_scene,
     scene_from_dict,
+    scene_to_dict,
 )
 from robolayout.verify import AgentSpec
 
@@ -36,23 +44,29 @@ LONGEST_WORD = 45  # letters of the longest word of a dictionary: more of them w
 def as_scene(
     given: Scene | Mapping[str, Any] | str | Path,
     planner: Planner,
-    agent: AgentSpec | None,
+    agent: AgentSpec | Iterable[AgentSpec] | None,
     *,
     seed: int,
     dress: str | None,
 ) -> Scene:
     """Return a scene from itself, its dictionary, its file or words, for another agent or otherwise dressed if that is said."""
-    if not isinstance(seed, Integral) or seed < 0:
-        raise InputError(f"seed must be a whole number of at least 0, but is {show(seed)}.")
+    whole(seed, "seed")
     bodies = () if agent is None else load_agents(agent)
     if isinstance(given, str) and not names_a_file(given):
         scene, _ = furnished(given, planner, seed=seed, agents=bodies)
     elif isinstance(given, str | Path):
         scene = load_scene(given)
     else:
-        scene = given if isinstance(given, Scene) else scene_from_dict(given)
+        scene = checked(given) if isinstance(given, Scene) else scene_from_dict(given)
     scene = scene if dress is None else replace(scene, dress=check_dress(dress))
     return scene.with_agents(*bodies) if bodies else scene
+
+
+def checked(scene: Scene) -> Scene:
+    """Return a scene that may have been made by hand as its file would be read: refused, or mended with a warning."""
+    read = scene_from_dict(scene_to_dict(scene), name=scene.name, base="/")
+    agents = (replace(new, figure=old.figure) for new, old in zip(read.agents, scene.agents, strict=True))
+    return replace(read, agents=tuple(agents), warnings=(*scene.warnings, *read.warnings))
 
 
 def furnished(
@@ -79,6 +93,13 @@ def names_a_file(text: str) -> bool:
     return bool(name) and (not name.isalpha() or len(name) > LONGEST_WORD or os.path.exists(text))
 
 
+def as_text(program: Program | str | Path, scene: Scene) -> str:
+    """Return the text of a program that is given itself, as text, or as a file."""
+    if isinstance(program, Path):
+        return FilePlanner(program).plan(PlanRequest(scene))
+    return program.to_text() if isinstance(program, Program) else program
+
+
 def as_start(scene: Scene, start: Layout | Mapping[str, Any] | str | Path) -> Layout:
     """Return the layout to start from, checked against its scene."""
     if isinstance(start, str | Path):
@@ -89,6 +110,7 @@ def as_start(scene: Scene, start: Layout | Mapping[str, Any] | str | Path) -> La
 
 def pinned_poses(scene: Scene, start: Layout | None, keep: Sequence[str], free: Sequence[str]) -> dict[str, Pose]:
     """Return the poses that stay, of what is to be kept or of all that is not free."""
+    keep, free = ([names] if isinstance(names, str) else names for names in (keep, free))
     among("asset", (*keep, *free), scene.by_name)
     if keep and free:
         raise InputError("keep and free exclude each other: name what stays, or name all that may move.")

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 from robolayout._errors import InputError, ModelError
 from robolayout.program import Program, Reconciled, read_program, reconcile
+from robolayout.run.given import as_text
 from robolayout.scene import Layout, Scene, Snapshot, Trace, load_layout
 from robolayout.verify import Report, verify
 from robolayout.words import read_words
@@ -98,16 +99,14 @@ class Result:
         return f'<div style="display:flex;flex-wrap:wrap;gap:2em;align-items:flex-start">{plan}<div>{shown}</div></div>'
 
 
-def judge(scene: Scene, layout: Layout, program: str | Path | None = None) -> Result:
-    """Judge a layout, whoever made it."""
+def judge(scene: Scene, layout: Layout, program: Program | str | Path | None = None) -> Result:
+    """Judge a layout, whoever made it, by a program if one is given: itself, its text, or its file as a `Path`."""
     wishes, said = read_words(scene), Program()
     if program is not None:
-        from robolayout.planners import FilePlanner, PlanRequest
-
-        said = wishes.marked(read_program(FilePlanner(program).plan(PlanRequest(scene)), scene))
+        said = wishes.marked(read_program(as_text(program, scene), scene))
     report = verify(scene, layout, None if program is None else said)
-    report = replace(report, asked=wishes.judged(scene, layout, report.agents[0].navigation.main))
-    return Result(scene, layout, report, said, reconcile(said, scene))
+    report = replace(report, asked=wishes.judged(scene, report.layout, report.agents[0].navigation.main))
+    return Result(scene, report.layout, report, said, reconcile(said, scene))
 
 
 def load_judged(

@@ -6,6 +6,7 @@ import math
 from collections.abc import Mapping
 from dataclasses import replace
 from itertools import combinations
+from numbers import Integral
 from typing import Any
 
 from robolayout._errors import SceneError
@@ -127,8 +128,9 @@ def _opening(value: object, where: str, room: Room, warnings: list[str]) -> Open
     data = _CHECK.mapping(value, where)
     warnings += misspelt(data, (*PLACE, "sill", *LEAF), where)
     index, count = _CHECK.required(data, "wall", where), len(room.walls)
-    if isinstance(index, bool) or not isinstance(index, int) or not 0 <= index < count:
+    if isinstance(index, bool) or not isinstance(index, Integral) or not 0 <= index < count:
         raise SceneError(f"{where}.wall must be a whole number from 0 to {count - 1}, but is {index!r:.60}.")
+    index = int(index)
     window = where.startswith("windows")
     offset = _CHECK.number(_CHECK.required(data, "offset", where), f"{where}.offset", least=-ROUNDING)
     width = _CHECK.number(_CHECK.required(data, "width", where), f"{where}.width", above=0.0)

@@ -56,10 +56,10 @@ def load_agents(spec: str | Path | Mapping[str, object] | Agent | Iterable[objec
     """Return one or more agents: "wheelchair,child_6", anything that `load_agent` takes, or a list of that."""
     if isinstance(spec, str):
         parts: list[object] = [part.strip() for part in spec.split(",") if part.strip()]
-    elif isinstance(spec, (Path, Mapping, Agent)):
-        parts = [spec]
-    else:
+    elif isinstance(spec, Iterable) and not isinstance(spec, Mapping):
         parts = list(spec)
+    else:
+        parts = [spec]
     if not parts:
         raise AgentError(f"no agent is named in {show(spec)}. Known: {', '.join(agent_names())}.")
     return check_names([load_agent(part) for part in parts])  # pyright: ignore[reportArgumentType]

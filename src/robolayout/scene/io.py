@@ -109,7 +109,7 @@ def check_layout(scene: Scene, layout: Layout, *, partial: bool) -> None:
             raise LayoutError(f"the layout places {show(name)}, which is not in the scene.{hint} Known: {known}.{more}")
         if not pose.is_finite:
             raise LayoutError(
-                f"the pose of {name!r} is not finite: {pose}; every coordinate must be a number in metres."
+                f"the pose of {name!r} is not finite or too far: {pose}; coordinates are at most {LIMITS.farthest:g} m."
             )
     missing = [asset.name for asset in scene.assets if asset.name not in layout]
     if missing and not partial:

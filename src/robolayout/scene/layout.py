@@ -7,6 +7,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
 
 from robolayout._errors import among
+from robolayout._reading import LIMITS
 from robolayout.scene.asset import Asset
 
 
@@ -21,8 +22,8 @@ class Pose:
 
     @property
     def is_finite(self) -> bool:
-        """Whether every coordinate is a number."""
-        return all(map(math.isfinite, (self.x, self.y, self.z, self.yaw)))
+        """Whether every coordinate is a number, and none larger than a layout file may give."""
+        return all(abs(value) <= LIMITS.farthest for value in (self.x, self.y, self.z, self.yaw))
 
     @property
     def at(self) -> tuple[float, float]:
@@ -95,7 +96,7 @@ class Layout(Mapping[str, Pose]):
         """Return the content of `layout.json`: metres and degrees, rounded to 1e-6."""
         return {
             name: {
-                "position": [round(pose.x, 6) + 0.0, round(pose.y, 6) + 0.0, round(pose.z, 6) + 0.0],
+                "position": [round(float(value), 6) + 0.0 for value in (pose.x, pose.y, pose.z)],
                 "rotation": [0.0, 0.0, round(math.degrees(pose.yaw) % 360.0, 6) % 360.0 + 0.0],
             }
             for name, pose in self.items()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 
@@ -30,6 +31,8 @@ class Scene:
     def __post_init__(self) -> None:
         if not self.agents:
             raise SceneError("agents is empty; name at least one body or leave it out for a disc of radius 0.30 m.")
+        if twice := [name for name, count in Counter(asset.name for asset in self.assets).items() if count > 1]:
+            raise SceneError(f"two assets are called {twice[0]!r}; give each its own name.")
 
     @property
     def agent(self) -> Agent:

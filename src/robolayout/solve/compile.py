@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 from shapely import Point
 
+from robolayout._reading import whole
 from robolayout.assets import Surface, place_of, resting_place, surfaces_of
 from robolayout.constraints import IMPLICIT, AssetRef, FrameTerm, MirrorTerm, Relation, Term, WallRef
 from robolayout.constraints.above import Above
@@ -178,6 +179,7 @@ def compile_problem(
         built: Poses of such things, where they are known.
         attempts: How many times a room is built at the most; as many as it takes if None.
     """
+    whole(seed, "seed")
     program, pinned = program or Program(), dict(pinned or {})
     relations = tuple(statement.relation for statement in program.statements)
     wishes = tuple(one.relation for one in program.wishes if isinstance(one.relation, TOGETHER))

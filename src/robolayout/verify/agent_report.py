@@ -33,6 +33,10 @@ class AgentReport:
     usage: Usage  # what it can use
     demands: Demands = field(default_factory=Demands)  # what is asked of it
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Return how to make it again, in another process or as a copy: by judging once more, which is exact."""
+        return judge_agent, (self.navigation.scene, self.navigation.layout, self.agent, self.demands)
+
     @property
     def headings(self) -> HeadingSpace | None:
         """Where a rectangular body gets to and turns; None for a disc."""
