@@ -138,6 +138,44 @@ def test_bad_options_are_refused_before_any_work(command: Command, tmp_path: Pat
     assert command("frobnicate").code == 2
 
 
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (
+            ("generate", "a bedroom", "--critic"),
+            "--critic means nothing without --model: give that, too, or leave it out.",
+        ),
+        (("generate", "a bedroom", "--max-cost", "0"), "--max-cost means nothing without --model"),
+        (("generate", "a bedroom", "--fallback", "openai:gpt-4o"), "--fallback means nothing without --model"),
+        (("generate", "a bedroom", "--mode", "one_shot"), "--mode means nothing without --model"),
+        (("check", "scene.json", "layout.json", "--votes", "5"), "--votes means nothing without --judge"),
+        (("check", "scene.json", "layout.json", "--base-url", "http://x"), "--base-url means nothing without --judge"),
+        (("diff", "a", "b", "--width", "500"), "--width means nothing without --out"),
+        (("assets", "bed", "--front", "+x"), "--front means nothing without `assets import FOLDER`"),
+        (("assets", "bed", "--out", "own.json"), "--out means nothing without `assets import FOLDER`"),
+        (("generate", "a bedroom", "--constraints", "none.py"), "none.py is no Python file, or not there"),
+    ],
+)
+def test_an_option_that_would_mean_nothing_is_refused(command: Command, words: tuple[str, ...], said: str) -> None:
+    refused(command(*words), said)
+
+
+def test_a_folder_of_assets_that_is_not_there_is_refused_whether_it_is_needed_or_not(
+    command: Command, tmp_path: Path
+) -> None:
+    room = written(tmp_path)
+    said = "nowhere does not exist or is no folder; check --asset-dir"
+    refused(command("generate", room, "--asset-dir", tmp_path / "nowhere"), said)
+    refused(command("evaluate", tmp_path, "--scenes", tmp_path / "nowhere"), "nowhere is no folder")
+
+
+def test_as_many_bodies_are_compared_as_the_help_says(command: Command, tmp_path: Path) -> None:
+    room = written(tmp_path)
+    refused(command("compare", room, "--agents", "cat"), "--agents names 1 bodies: 2 to 6 are compared")
+    seven = ",".join(agent_names()[:7])
+    refused(command("compare", room, "--agents", seven), "--agents names 7 bodies: 2 to 6 are compared")
+
+
 @pytest.mark.skipif(os.geteuid() == 0, reason="root may write everywhere")
 def test_a_read_only_folder_is_refused(command: Command, tmp_path: Path) -> None:
     room = written(tmp_path)

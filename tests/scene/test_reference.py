@@ -104,7 +104,7 @@ def test_a_missing_uid_is_named(tmp_path: Path, assets: Path) -> None:
 
 
 def test_a_missing_folder_is_named(tmp_path: Path) -> None:
-    with pytest.raises(AssetError, match=r"asset folder .*nowhere does not exist; check --asset-dir\."):
+    with pytest.raises(AssetError, match=r"asset folder .*nowhere does not exist or is no folder; check --asset-dir\."):
         read(tmp_path, tmp_path / "nowhere", *KEYS)
     with pytest.raises(SceneError, match=r"asset '0a1b-0' has no assetMetadata: give its boundingBox .*--asset-dir"):
         scene_from_dict(scene_file(*KEYS))

@@ -28,6 +28,8 @@ __all__ = ["app", "main"]
 
 BODIES = ("none", "base", "full")  # what of a body a file may hold
 
+COMPARED = 6  # most bodies side by side in one picture
+
 REFUSALS = (errno.ENAMETOOLONG, errno.EACCES, errno.EPERM, errno.ELOOP, errno.ENOTDIR, errno.EISDIR, errno.EROFS)
 """What a system says of a path that is no good, rather than of one that should be there and is not."""
 
@@ -59,6 +61,8 @@ app = typer.Typer(
     rich_markup_mode=None,
 )
 
+WIDTH = 1400  # pixels of a drawn difference, if nobody says how many
+VOTES = 3  # of a judge, if nobody says how many
 JUDGED = "judged"  # folder of a judge's votes beside the report
 
 
@@ -88,7 +92,7 @@ def check(  # noqa: PLR0913 - one parameter per option
     judge: Annotated[
         str | None, Option(help="Also let a model score the room: openai:gpt-4o, ... (docs/vlm.md).")
     ] = None,
-    votes: Annotated[int, Option(min=1, max=32, help="How often it scores the room.")] = 3,
+    votes: Annotated[int, Option(min=1, max=32, help="How often it scores the room.")] = VOTES,
     base_url: options.BaseUrlOption = None,
     max_cost: options.MaxCostOption = None,
     replay: options.ReplayOption = None,
@@ -103,6 +107,8 @@ def check(  # noqa: PLR0913 - one parameter per option
         raise InputError(
             "--date is for the sheet to print, which is not drawn: give --out, and leave --no-pictures out."
         )
+    if not (judge or replay):
+        options.need("--judge", {"votes": votes != VOTES, "max_cost": max_cost is not None, "base_url": base_url})
     options.read_constraints(constraints)
     given, placed = laid.read_both(quiet=told.quiet)
     if out is not None:
@@ -132,13 +138,15 @@ def diff(  # noqa: PLR0913 - one parameter per option
     program: options.ProgramOption = None,
     constraints: options.ConstraintsOption = None,
     out: Annotated[Path | None, Option(help="Draw before and after: PNG or SVG.")] = None,
-    width: Annotated[int, Option(min=256, max=8192, help="Pixels of the PNG's width.")] = 1400,
+    width: Annotated[int, Option(min=256, max=8192, help="Pixels of the PNG's width.")] = WIDTH,
 ) -> None:
     """Say what moved, turned, came, went, became better or worse between two layouts (exit code 1: something is worse)."""
     from robolayout.run.diff import diff as differences
     from robolayout.run.outputs import difference_picture
     from robolayout.run.result import load_judged
 
+    if out is None:
+        options.need("--out", {"width": width != WIDTH})
     options.read_constraints(constraints)
     suffix = "" if out is None else options.ending(out, "a difference", (".png", ".svg"))
     given = None if scene is None else body.read(scene)
@@ -176,6 +184,8 @@ def compare(  # noqa: PLR0913 - one parameter per option
 
     suffix = options.ending(out, "a comparison", (".png", ".svg"))
     given = options.ForBody(agent=agents, asset_dir=asset_dir).read(scene, quiet=quiet)
+    if not 2 <= len(given.agents) <= COMPARED:
+        raise InputError(f"--agents names {len(given.agents)} bodies: 2 to {COMPARED} are compared; name so many.")
     with progress(quiet) as tell:
         planner = OfflinePlanner(knowledge or ())
         results = flow.compare(given, given.agents, planner=planner, seed=seed, progress=tell)

@@ -26,6 +26,10 @@ if TYPE_CHECKING:
     from robolayout.scene import Scene
 
 
+OF_A_MODEL = ("mode", "samples", "retries", "critic", "max_cost", "timeout", "thinking", "fallback", "at_once")
+"""What is asked of a model, and means nothing without one."""
+
+
 @dataclass(frozen=True, kw_only=True)
 class Who:
     """Who plans."""
@@ -54,6 +58,9 @@ class Who:
             raise InputError(
                 "--knowledge is for the offline planner: leave it out, or leave --program and --model out."
             )
+        if not self.asks_a_model:
+            chosen = {one.name: getattr(self, one.name) not in (one.default, []) for one in fields(Who)}
+            options.need("--model", {name: chosen[name] for name in OF_A_MODEL})
         if self.knowledge:
             self.by_rules()
 

@@ -12,7 +12,7 @@ from typer import Argument, Option
 from robolayout._errors import AssetError, InputError
 from robolayout._files import write_atomic
 from robolayout._text import pretty
-from robolayout.cli.options import ending
+from robolayout.cli.options import ending, need
 from robolayout.cli.terminal import say, table, warn
 
 if TYPE_CHECKING:
@@ -78,7 +78,9 @@ def assets(
         str | None, Argument(help="Show what this word is understood as, or this group; `import` reads a folder.")
     ] = None,
     folder: Annotated[Path | None, Argument(help="Folder of meshes, after `import`.")] = None,
-    out: Annotated[Path, Option(help="Catalogue file that an import writes.")] = Path("catalogue.json"),
+    out: Annotated[
+        Path | None, Option(help="Catalogue file that an import writes; catalogue.json if not given.")
+    ] = None,
     front: Annotated[str | None, Option("--front", help="Side that faces forward in the meshes, such as +x.")] = None,
     up: Annotated[str | None, Option("--up", help="Side that points up in the meshes, such as +z.")] = None,
     pictures: Annotated[Path | None, Option("--pictures", help="Also draw what is listed into this PNG file.")] = None,
@@ -88,10 +90,11 @@ def assets(
     from robolayout.scene import FLAGS, Asset, variable_name
 
     if word == "import":
-        _import(folder, out, front, up, pictures)
+        _import(folder, out or Path("catalogue.json"), front, up, pictures)
         return
     if folder is not None:
         raise InputError(f"{str(folder)!r} follows {word!r}: put a name of several words in quotes.")
+    need("`assets import FOLDER`", {"out": out is not None, "front": front, "up": up})
     found = [kind for kind in CATALOGUE.values() if word is None or kind.group == word]
     found = found or [find_category(word or "")]
     if pictures is not None:

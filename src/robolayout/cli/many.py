@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 EVERY = 30.0  # seconds between two lines about the progress where nobody looks at a terminal
 
-Workers = Annotated[int, Option(min=1, max=1024, help="Rooms that are made at the same time.")]
+Workers = Annotated[int, Option(min=1, max=1024, help="Rooms at the same time.")]
 
 
 @spread

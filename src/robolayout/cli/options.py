@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import AbstractContextManager
 from dataclasses import dataclass, fields, is_dataclass
 from functools import cached_property, update_wrapper
@@ -141,6 +141,12 @@ class Laid(ForBody):
 def names(given: str) -> list[str]:
     """Return names that are separated by commas."""
     return [name.strip() for name in given.split(",") if name.strip()]
+
+
+def need(other: str, given: Mapping[str, object]) -> None:
+    """Refuse options that are given though they mean nothing without another one."""
+    for name in (name for name, value in given.items() if value):
+        raise InputError(f"--{name.replace('_', '-')} means nothing without {other}: give that, too, or leave it out.")
 
 
 def ending(path: Path, what: str, allowed: Sequence[str]) -> str:

@@ -43,7 +43,9 @@ def register_file(path: str | Path) -> tuple[type[Relation], ...]:
     name = f"robolayout_relations_{path.stem}"
     spec = importlib.util.spec_from_file_location(name, path)
     if not os.path.isfile(path) or spec is None or spec.loader is None:
-        raise InputError(f"{path} is no Python file; relations are read from a file such as my_relations.py.")
+        raise InputError(
+            f"{path} is no Python file, or not there; relations are read from a file such as my_relations.py."
+        )
     module = sys.modules[name] = importlib.util.module_from_spec(spec)
     try:
         spec.loader.exec_module(module)

@@ -58,8 +58,8 @@ class Found:
 
 def find_rooms(folder: Path, scenes: Path | None = None) -> list[Found]:
     """Return all rooms below a folder, by name; `scenes` is a folder of scene files whose layouts are in folders of their names."""
-    if not folder.is_dir():
-        raise InputError(f"{folder} is no folder; name one with scenes and layouts in it.")
+    for place in (place for place in (folder, scenes) if place is not None and not place.is_dir()):
+        raise InputError(f"{place} is no folder; name one with scenes and layouts in it.")
     found = [room for here, names, files in os.walk(folder) for room in _here(Path(here), names, files, scenes)]
     if not found:
         raise InputError(

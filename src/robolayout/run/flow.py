@@ -92,6 +92,7 @@ def generate(  # noqa: PLR0913 - the public page of everything that can be chose
     Raises:
         SceneError: What must stand on the floor covers more than the floor; nothing is searched for.
     """
+    whole(attempts, "attempts", 1)
     clock, say = Clock(), progress or silent
     with clock.station("scene"):
         planner = planner or OfflinePlanner()
@@ -100,12 +101,11 @@ def generate(  # noqa: PLR0913 - the public page of everything that can be chose
             scene = planner.recognised(scene)
         if too_full := overfull(scene):
             raise SceneError(too_full[0])  # counted before any search
-        wishes = read_words(scene)
         text = None if program is None else as_text(program, scene)
     if solver == "default":
         traced = (config or SolverConfig()).trace  # a right guess needs no search, unless it is recorded
         warm_up(scene, config, missing_only=text is None and attempts > 1 and not traced)
-    run = Run(scene, seed, solver, config, clock, say, wishes)
+    run = Run(scene, seed, solver, config, clock, say, read_words(scene))
     given = None if start is None else as_start(scene, start)
     pinned = pinned_poses(scene, given, keep, free)
     with clock.station("plan"):
@@ -153,7 +153,6 @@ class Run:
 
     def whole(self, planner: Planner, program: str | None, attempts: int) -> Attempt:
         """Plan all assets at once; while demands stay unmet ask again, and keep the best."""
-        whole(attempts, "attempts", 1)
         best: Attempt | None = None
         least, seed = (math.inf, True), self.seed
         texts = self._texts(planner, program, attempts, lambda: best)

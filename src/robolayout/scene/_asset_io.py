@@ -36,6 +36,8 @@ def read_assets(data: Entry, base: Path | None, asset_dir: Path | None, warnings
     entries = _CHECK.inner(data, "assets", "the scene", "assets")
     if not 0 < len(entries) <= LIMITS.assets:
         raise SceneError(f"the scene has {len(entries)} assets; from 1 to {LIMITS.assets} are allowed.")
+    if asset_dir is not None and not asset_dir.is_dir():
+        raise AssetError(f"asset folder {asset_dir} does not exist or is no folder; check --asset-dir.")
     folders = [folder for folder in (base, asset_dir) if folder is not None]
     catalogue = find_catalogue(data.get("catalogue"), folders)
     given = {key: _CHECK.mapping(entry, f"asset {show(key)}") for key, entry in entries.items()}
@@ -235,8 +237,6 @@ def look_up(keys: Iterable[str], asset_dir: Path) -> dict[str, tuple[str, dict[s
     is the width and y the depth, so they are swapped here, once. Names come from the category: two chairs of one uid are
     `chair-0` and `chair-1`; chairs of two uids are `chair_A-0` and `chair_B-0`.
     """
-    if not asset_dir.is_dir():
-        raise AssetError(f"asset folder {asset_dir} does not exist; check --asset-dir.")
     uids: dict[str, list[str]] = {}
     for key in keys:
         uids.setdefault(key.rpartition("-")[0] or key, []).append(key)
