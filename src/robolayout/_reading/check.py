@@ -86,7 +86,7 @@ class Checker:
     ) -> float:
         """Return `value` as a finite float within (above, most] or [least, most]; a length may be in the wrong unit."""
         number = math.inf
-        if isinstance(value, Real) and not isinstance(value, bool):
+        if not isinstance(value, bool) and isinstance(value, Real):
             with suppress(OverflowError):
                 number = float(value)
         if not abs(number) <= 1e300:
@@ -169,7 +169,7 @@ class Checker:
 
 def whole(value: object, where: str, least: int = 0) -> None:
     """Refuse what is no whole number of at least `least`."""
-    if not isinstance(value, Integral) or value < least:
+    if not isinstance(value, Integral) or int(value) < least:
         raise InputError(f"{where} must be a whole number of at least {least}, but is {show(value)}.")
 
 

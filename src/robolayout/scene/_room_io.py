@@ -128,7 +128,7 @@ def _opening(value: object, where: str, room: Room, warnings: list[str]) -> Open
     data = _CHECK.mapping(value, where)
     warnings += misspelt(data, (*PLACE, "sill", *LEAF), where)
     index, count = _CHECK.required(data, "wall", where), len(room.walls)
-    if isinstance(index, bool) or not isinstance(index, Integral) or not 0 <= index < count:
+    if isinstance(index, bool) or not isinstance(index, Integral) or not 0 <= int(index) < count:
         raise SceneError(f"{where}.wall must be a whole number from 0 to {count - 1}, but is {index!r:.60}.")
     index = int(index)
     window = where.startswith("windows")
