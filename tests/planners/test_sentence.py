@@ -127,6 +127,34 @@ def test_a_room_that_is_not_named_or_not_known_is_the_nearest_one_and_that_is_sa
     assert any(f"{room} was taken" in line for line in found.assumed)
 
 
+def area(text: str) -> float:
+    width, depth = scene_from_sentence(text)[1].size
+    return width * depth
+
+
+def test_a_room_has_no_floor_for_what_stands_there_in_place_of_the_usual() -> None:
+    """A bed was counted besides the bunk bed that was asked for: rooms of 30 to 39 square metres."""
+    assert area("a teenager's bedroom with a single bed, a desk with a computer and a guitar") < 23.0
+    assert area("a kids' room with a bunk bed, a desk and a toy box") < 23.0
+    assert area("a twin bedroom with two single beds and a nightstand between them") < 25.0
+
+
+def test_a_small_room_is_small_however_much_is_asked_for() -> None:
+    things = "a bed, a desk, a small kitchen and a sofa"
+    assert area(f"a small studio with {things}") < 0.8 * area(f"a studio with {things}")
+
+
+def test_no_coffee_table_grows_with_the_chairs_of_the_room() -> None:
+    for text in ("a waiting room with ten chairs and a coffee table", "a waiting room with a coffee table"):
+        scene, _ = scene_from_sentence(text)
+        assert scene.by_name["coffee_table-0"].size[1] < 1.5, text
+
+
+def test_a_coffee_machine_is_added_where_it_belongs_and_on_no_desk() -> None:
+    assert "coffee machine" not in scene_from_sentence("an open office with eight desks, a printer and plants")[1].added
+    assert "coffee machine" in scene_from_sentence("a meeting room with a table for eight and a sideboard")[1].added
+
+
 def test_what_is_added_belongs_together() -> None:
     for variant in range(6):
         _, studio = scene_from_sentence("an L-shaped studio flat, 6 x 7 m, with a bed and a sofa", variant=variant)

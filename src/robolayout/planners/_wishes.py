@@ -149,12 +149,13 @@ class RoomWishes:
 
     def useless(self, name: str, present: Collection[str]) -> bool:
         """Return whether a thing belongs at others of which none is there: a chair without a table, a candlestick without a top."""
-        if self.kinds[name].places == ("object",) and not any(role.top for role in self.playing(present).values()):
+        borne = self.kinds[name].places == ("object",)
+        if borne and not any(role.top for role in self.playing(present).values()):
             return True
         role = self.role(name)
         wanted = {other for join in role.joins if not join.loose for other in join.of} if role else set[str]()
         there = {self.roles[other].name for other in present if other in self.roles}
-        return bool(wanted) and "*" not in wanted and not wanted & there
+        return bool(wanted - {"*"}) and (borne or "*" not in wanted) and not wanted & there
 
     def told(self, name: str) -> list[NamedThing]:
         """Return what was asked for of a category, once for each of it: "a low table and two high ones" are three."""
@@ -272,7 +273,8 @@ class RoomWishes:
         """Return how many sit at the only table that is named: all who are in the room, or as many as have a chair."""
         things = self.reading.parsed.things
         heads = [head(one.noun.kind) for one in things]
-        if thing.count > 1 or heads.count("table") > 1 or {"desk", "counter", "island"} & {*heads}:
+        low = thing.noun.kind in LOW
+        if low or thing.count > 1 or heads.count("table") > 1 or {"desk", "counter", "island"} & {*heads}:
             return 0
         chairs = sum(one.count for one, last in zip(things, heads, strict=True) if last == "chair")
         return (self.reading.people if self._shared(self.kind(thing)) else 0) or chairs

@@ -250,7 +250,10 @@ def _room_size(wishes: RoomWishes, wished: Mapping[str, int], stretch: float) ->
     given = wishes.reading.measure("area")
     usual = width * depth * wishes.reading.scale
     share = SIZES.aisled if any(link.rows for link in wishes.reading.parsed.links) else SIZES.roomy
-    area = given[0] if given else max(usual, wishes.floor_area({**wishes.room.base, **wished}) / share)
+    share /= min(wishes.reading.scale, 1.0)
+    instead = {*map(wishes.head, wished)}  # a bunk bed stands there in place of a bed
+    base = {name: count for name, count in wishes.room.base.items() if wishes.head(name) not in instead}
+    area = given[0] if given else max(usual, wishes.floor_area({**base, **wished}) / share)
     if wishes.reading.shape == "L-shaped":
         area *= 1.2
     ratio = 1.0 if wishes.reading.square else stretch * width / depth
