@@ -439,6 +439,13 @@ def test_what_is_beside_one_of_two_things_is_not_between_them(pose: tuple[float,
     assert check(said("between", A, C, B), pose, (4.5, 2, 0), (1, 2, 0), assets=(plant, sofa, THIRD)) is met
 
 
+@pytest.mark.parametrize(("y", "met"), [(2.0, True), (2.84, True), (2.88, False)])
+def test_a_night_stand_at_the_heads_of_two_beds_is_between_them(y: float, met: bool) -> None:
+    stand, bed = Asset("a-0", "night stand", (0.4, 0.47, 0.5)), Asset("b-0", "single bed", (2.1, 1.0, 0.9))
+    poses = (2, y, -NORTH), (1.1, 2, -NORTH), (2.9, 2, -NORTH)
+    assert check(said("between", A, B, C), *poses, assets=(stand, bed, replace(bed, name="c-0"))) is met
+
+
 @pytest.mark.parametrize(("x", "met"), [(2.0, True), (2.39, True), (2.41, False), (2.6, False)])
 def test_what_stands_before_the_gap_is_not_between(x: float, met: bool) -> None:
     """Two armchairs 0.8 m deep, side by side: a side table before both of them was as near to the line between them as 0.5 m."""

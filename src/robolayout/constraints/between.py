@@ -17,7 +17,7 @@ ENDS = 0.2  # part of what is free of that line, at either end, that the search 
 
 @dataclass(frozen=True)
 class BetweenTwo(Relation):
-    """`a` stands between `b` and `c`: on the line between their middles or little aside (0.5 m at the most), not past its ends."""
+    """`a` stands between `b` and `c`: on the line between their middles or little aside (0.5 m, or as both reach), not past its ends."""
 
     name = "between"
     as_guessed = True
@@ -58,14 +58,19 @@ class BetweenTwo(Relation):
         return Outcome(past <= TOLERANCE.gap and aside <= limit, aside, limit, "m", text)
 
     def _most(self, scene: Scene, layout: Layout) -> float | None:
-        """Return how far aside the middle may be: as b or c reaches, 0.25 to 0.5 m; None beside points and what hangs."""
+        """Return how far aside the middle may be; None beside points and what hangs.
+
+        As far as b or c reaches, 0.25 to 0.5 m; farther where a does not stand out past both: a night stand at two bed heads.
+        """
         ends = [ref for ref in (self.b, self.c) if isinstance(ref, AssetRef) and not scene.by_name[ref.name].on_wall]
         if len(ends) < 2:
             return None
         (x, y), (u, v) = self._line(scene, layout).coords
         along = Pose(x, y, 0.0, math.atan2(v - y, u - x))
-        sides = [seen_from(along, footprint(scene, layout, ref)).bounds for ref in ends]
-        return min(max(TOLERANCE.aside / 2, *(max(-low, high) for _, low, _, high in sides)), TOLERANCE.aside)
+        sides = [seen_from(along, footprint(scene, layout, ref)).bounds for ref in (*ends, self.a)]
+        first, second = (max(-low, high) for _, low, _, high in sides[:2])
+        within = min(first, second) - (sides[2][3] - sides[2][1]) / 2
+        return max(min(max(TOLERANCE.aside / 2, first, second), TOLERANCE.aside), within)
 
     def _line(self, scene: Scene, layout: Layout) -> LineString:
         return LineString([frame(scene, layout, ref).at for ref in (self.b, self.c)])
