@@ -138,3 +138,75 @@ def test_every_desk_of_an_internet_cafe_and_every_table_has_chairs() -> None:
     result = made("an internet cafe with ten computer desks in two rows back to back")
     assert len(of(result, "office_chair")) == 10
     assert len(of(result, "chair")) >= 2 * len(of(result, "round_table"))
+
+
+def test_a_rug_lies_under_both_of_two_armchairs_that_face_each_other() -> None:
+    result = made("a reading room with two armchairs facing each other with a small table between them")
+    (rug,) = of(result, "rug")
+    depth, width, _ = result.scene.by_name[rug].size
+    for chair in of(result, "armchair"):
+        x, y = result.layout[rug].seen(result.layout[chair].at)
+        assert max(abs(x) - depth / 2, abs(y) - width / 2) < 0.0, chair
+
+
+def test_nobody_watches_from_sofas_that_face_each_other() -> None:
+    result = made("a living room with two sofas facing each other, a coffee table and a rug")
+    assert of(result, "television") == of(result, "tv_stand") == []
+
+
+def test_a_television_hangs_right_above_a_fireplace() -> None:
+    result = made("a living room with a sofa, TV above the fireplace")
+    ahead, left = result.layout["fireplace-0"].seen(result.layout["television-0"].at)
+    assert abs(left) < 0.05
+    assert ahead < 0.0
+
+
+def test_a_night_stand_between_two_beds_is_at_their_heads() -> None:
+    result = made("a twin bedroom with two single beds and a nightstand between them")
+    assert result.report.ok
+    (stand,) = of(result, "night_stand")
+    for bed in of(result, "single_bed"):
+        deeper = result.scene.by_name[bed].size[0] - result.scene.by_name[stand].size[0]
+        assert along(result, bed, stand) == pytest.approx(deeper / 2, abs=0.05)
+
+
+def test_barber_chairs_stand_in_a_row_before_their_mirrors() -> None:
+    result = made("a barber shop with three barber chairs, mirrors and a waiting bench")
+    chairs = of(result, "salon_chair")
+    assert len(chairs) == len(of(result, "mirror")) == 3
+    assert all(abs(along(result, chair, chairs[0])) < 0.05 for chair in chairs)
+    for chair in chairs:
+        aside = [abs(result.layout[chair].seen(result.layout[mirror].at)[1]) for mirror in of(result, "mirror")]
+        assert min(aside) < 0.1, chair
+
+
+def test_two_basins_stand_side_by_side() -> None:
+    result = made("a bathroom with a bathtub, double sinks and a toilet")
+    one, other = of(result, "bathroom_vanity")
+    ahead, left = result.layout[one].seen(result.layout[other].at)
+    assert abs(ahead) < 0.02
+    assert abs(left) < result.scene.by_name[one].size[1] + 0.1
+
+
+def test_a_bar_along_the_window_has_its_back_to_its_wall() -> None:
+    result = made("a small kitchen with a breakfast bar along the window")
+    (bar,) = of(result, "kitchen_island")
+    room, forward = result.scene.room, result.layout[bar].forward
+    normals = [room.walls[one.wall].normal for one in room.windows]
+    assert max(x * forward[0] + y * forward[1] for x, y in normals) > 0.99
+
+
+def test_pupils_leave_room_before_the_desk_of_their_teacher() -> None:
+    result = made("a classroom with twelve desks, a whiteboard and a teacher's desk")
+    (teacher,) = of(result, "teacher_desk")
+    pupils = of(result, "student_desk")
+    deep = (result.scene.by_name[teacher].size[0] + result.scene.by_name[pupils[0]].size[0]) / 2
+    assert min(-along(result, desk, teacher) for desk in pupils) - deep > 0.5
+
+
+def test_rows_of_chairs_look_at_the_wall_of_the_screen() -> None:
+    result = made("a lecture room with five rows of chairs, a lectern and a screen")
+    wall = result.layout["projection_screen-0"].forward
+    for chair in of(result, "chair"):
+        forward = result.layout[chair].forward
+        assert forward[0] * wall[0] + forward[1] * wall[1] < -0.99, chair

@@ -95,12 +95,14 @@ class Added:
         return name in self.named or name.split()[-1] in self.lasts or self.wishes.head(name) in self.asked
 
     def _unseen(self) -> set[str]:
-        """Return what nobody looks at where seats face another such thing: a television where the sofa faces the fireplace."""
+        """Return what nobody looks at where seats face another such thing, or seats: a television where the sofa faces the fireplace."""
         wishes, usual = self.wishes, [*self.room.base, *self.room.extras]
-        links = [link for link in wishes.reading.parsed.links if link.relation in WATCHING]
-        seen = (to.thing for link in links for one in link.subjects if one.sat_on for to in mentions(link.objects))
-        watched, playing = self._roles_of(seen), wishes.playing(usual)
+        links = [link for link in wishes.reading.parsed.links if link.relation in (*WATCHING, "mutual")]
+        pairs = [(one, link.objects) for link in links for one in link.subjects if one.sat_on]
+        watched, playing = self._roles_of(to.thing for _, seen in pairs for to in mentions(seen)), wishes.playing(usual)
         faced = {one for role in playing.values() if watched & {*role.face.roles} for one in role.face.roles}
+        met = (wishes.kind(one.thing) for one, seen in pairs if all([to.sat_on for to in mentions(seen)] or [not seen]))
+        faced |= {one for role in wishes.playing(met).values() for one in role.face.roles}
         unseen = {name for name, role in playing.items() if role.name in faced}
         return unseen | {name for name in usual if unseen & self._companions(name).keys()}
 

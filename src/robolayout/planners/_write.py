@@ -62,9 +62,12 @@ class Writer:
 
     def _turn(self, name: str, seen: Collection[str]) -> tuple[object, ...]:
         top = self.cast[chain(name, self.cast)[-1]]
-        hangs = bool(self.asked) and top.asset.on_wall and not top.asset.on_floor and top.name not in seen
-        late = (hangs or top.role.rank >= SAYING.small) and top.name not in self.asked
-        turn = (top.role.rank, -top.asset.size[0] * top.asset.size[1], top.name)
+        hung = top.asset.on_wall and not top.asset.on_floor
+        before = [one.role.rank for one in self.cast.values() if hung and one.anchor == top.name and one.asset.on_floor]
+        rank = min([top.role.rank, *before])  # a mirror is hung when its chair has its turn
+        hangs = bool(self.asked) and hung and not before and top.name not in seen
+        late = (hangs or rank >= SAYING.small) and top.name not in self.asked
+        turn = (rank, -top.asset.size[0] * top.asset.size[1], top.name)
         return (top.name not in self.first, late, *turn, name != top.name, self.cast[name].role.rank)
 
     def lines(self, name: str) -> Iterator[str]:
@@ -211,6 +214,7 @@ class Writer:
                 return
             if mode == "rug":
                 yield from self._fill(DATA["at"]["rug"].get(self.cast[owner].role.name, ()), values, 1.0)
+                values["b"] = ", ".join(map(self._name, (owner, *self._opposite(owner))))
         yield from self._fill(item.role.say[mode], values, SAYING.joined if item.name in self.formed else None)
         if mode == "hang" and (high := item.role.hung(item.asset.size[2])):
             yield _wish(f"mounted_on({a}, None, {high:g})")
@@ -218,6 +222,12 @@ class Writer:
             yield _wish(_either([f"above({a}, {self._name(n)})" for n in over]))
         if mode == "ceiling" and owner is None:
             yield _wish(f"centered_on({a}, room)")
+
+    def _opposite(self, name: str) -> list[str]:
+        """Return what is joined to a thing of its own kind to face it."""
+        alike = [one for one in self.cast.values() if one.role is self.cast[name].role]
+        facing = [{one.name, one.anchor} for one in alike if one.join.faces == "anchor"]
+        return [one.name for one in alike if one.name != name and {one.name, name} in facing]
 
     def _under(self, item: Cast) -> list[str]:
         """Return what a thing may hang over or lie under."""
@@ -279,7 +289,8 @@ class Writer:
 
     def _faced(self, item: Cast) -> Iterator[str]:
         """Yield what a thing looks at."""
-        face, a, names = item.role.face, self._name(item.name), self._faces(item)
+        face, a = item.role.face, self._name(item.name)
+        names = [] if item.anchor and item.role.name == "seat" else self._faces(item)  # a chair looks at its table
         there = self.looked.get(item.name, "")
         elsewhere = there and not {there, self.cast[there].anchor} & {*names}  # a sofa that faces the piano
         if not names or elsewhere:

@@ -116,7 +116,8 @@ class Demander(AtSides):
             return
         on, share = relation in ("on", "wall", "hanging"), len(it.subjects) > 1 and relation != "flank"
         share = share or not self.manned.isdisjoint(it.subjects)  # somebody sits between
-        under = relation == "under" and it.place.name == "window"
+        along = relation == "wall" and len(it.subjects) == 1  # "a bar along the window"
+        under = (relation == "under" or along) and it.place.name == "window"
         for place in it.places if relation in ("near", "next", "by") else [it.place]:
             yield from self._at_place(it.subjects, place, on=on, share=share, under=under)
 

@@ -128,7 +128,7 @@ def _hang_cost(site: Site, name: str, wall: Wall, t: float) -> tuple[float, Spot
     covered = site.wall_conflict(rect, takers, HANGING.apart)
     cost = HANGING.covered * (covered > 0.0) + 20.0 * covered
     cost += HANGING.out_of_reach * (used and middle - height / 2 > top + HANGING.take_hold)
-    cost += HANGING.covered * (0.0 < want.height < middle - HANGING.raised)
+    cost += HANGING.covered * (owner is None and 0.0 < want.height < middle - HANGING.raised)
     cost += 1.2 * site.wall_conflict((rect[0] - 0.4, rect[1], rect[2] + 0.4, rect[3]), takers)
     cost += 0.8 * abs(t - wall.length / 2) / wall.length * (1 + want.weights.get("mid_wall", 0.0)) - bonus
     cost += max(want.walls.values(), default=0.0) - want.walls.get(wall.index, 0.0)

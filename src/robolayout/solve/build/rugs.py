@@ -42,11 +42,12 @@ def lay_rugs(site: Site, names: Sequence[str]) -> None:
     """Lay each rug where it belongs, moved and turned so that it fits the room, and mats of one size in a block."""
     free: dict[tuple[float, float, float], list[str]] = {}
     for name in names:
-        owner = next((n for n in site.wants[name].over if n in site.spots), None)
-        if owner is None:
+        owners = [n for n in site.wants[name].over if n in site.spots]
+        if not owners:
             free.setdefault(site.size(name), []).append(name)
         else:
-            site.settle(name, Spot(_fitted(site, name, _at_owner(site, name, owner), owner), "rug"))
+            pose = _at_owner(site, name, owners[0]) if len(owners) == 1 else _amid(site, name, owners)
+            site.settle(name, Spot(_fitted(site, name, pose, owners[0]), "rug"))
     for equal in free.values():
         if len(equal) == 1 and site.room.doors and site.wants[equal[0]].weights.get("by_door", 0.0) > 0.0:
             site.settle(equal[0], Spot(_fitted(site, equal[0], _in_a_door(site)), "rug"))
@@ -75,6 +76,14 @@ def _at_owner(site: Site, name: str, owner: str) -> Pose:
     sides = [Member(name, 0.0, y, turn).moved(there.x, there.y, there.yaw) for y in (aside, -aside)]
     covered = _covered(site, rug, np.array([_pose(side) for side in sides]))
     return _pose(sides[int(np.argmin(covered))])
+
+
+def _amid(site: Site, name: str, owners: Sequence[str]) -> Pose:
+    """Return where a rug lies in the middle of several things, turned so that most of them is on it."""
+    feet = shapely.union_all([site.foot(owner) for owner in owners])
+    x, y = np.mean([(site.spots[owner].member.x, site.spots[owner].member.y) for owner in owners], axis=0).tolist()
+    ways = [Member(name, x, y, site.spots[owners[0]].member.yaw + turn) for turn in (0.0, math.pi / 2)]
+    return _pose(max(ways, key=lambda way: shapely.area(shapely.intersection(site.outline(way), feet))))
 
 
 def _pose(member: Member) -> Pose:
