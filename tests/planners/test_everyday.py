@@ -210,3 +210,9 @@ def test_rows_of_chairs_look_at_the_wall_of_the_screen() -> None:
     for chair in of(result, "chair"):
         forward = result.layout[chair].forward
         assert forward[0] * wall[0] + forward[1] * wall[1] < -0.99, chair
+
+
+def test_where_all_sit_around_a_coffee_table_no_sofa_takes_their_place() -> None:
+    result = made("a lounge with three armchairs around a coffee table and a rug")
+    assert result.report.ok
+    assert of(result, "sofa") == of(result, "television") == []

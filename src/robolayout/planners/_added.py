@@ -103,6 +103,11 @@ class Added:
         faced = {one for role in playing.values() if watched & {*role.face.roles} for one in role.face.roles}
         met = (wishes.kind(one.thing) for one, seen in pairs if all([to.sat_on for to in mentions(seen)] or [not seen]))
         faced |= {one for role in wishes.playing(met).values() for one in role.face.roles}
+        seated = [
+            link.objects for link in links if link.relation == "around" and any(one.sat_on for one in link.subjects)
+        ]
+        if "sofa" not in self.asked and {wishes.kind(to.thing) for seen in seated for to in mentions(seen)} & {*LOW}:
+            faced |= {"sofa", *wishes.roles["sofa"].face.roles}  # all sit around a coffee table
         unseen = {name for name, role in playing.items() if role.name in faced}
         return unseen | {name for name in usual if unseen & self._companions(name).keys()}
 
