@@ -144,6 +144,10 @@ def test_everything_that_a_relation_leads_to_is_asked(text: str, rows: set[str])
         ("a bathroom accessible by wheelchair", "wheelchair"),
         ("a bedroom where a wheelchair can turn in front of the wardrobe", "wheelchair"),
         ("a living room for somebody with a walker", "elder_walker"),
+        ("a bedroom for my grandmother, who walks with a walker", "elder_walker"),
+        ("a living room for two people, one in a wheelchair", "wheelchair"),
+        ("a bedroom for my father, who sits in a wheelchair", "wheelchair"),
+        ("a bathroom with wheelchair access", "wheelchair"),
         ("a bedroom with a bed and a wheelchair next to it", None),
     ],
 )

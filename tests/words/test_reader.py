@@ -464,12 +464,37 @@ def test_a_body_is_who_the_room_is_for_and_a_thing_is_what_stands_there() -> Non
         ("a senior-friendly bedroom", "elder_walker"),
         ("a cosy cat-friendly living room", "cat"),
         ("a child-friendly living room", "child_6"),
+        ("a step-free bathroom", "wheelchair"),
+        ("a bedroom for a wheelchair-bound man", "wheelchair"),
+        ("a bedroom for my elderly mother", "elder_walker"),
+        ("a bedroom for an old woman", "elder_walker"),
         ("a bedroom with an accessible shelf", None),
         ("a bedroom in which everything is easily accessible", None),
     ],
 )
 def test_what_is_said_of_a_room_tells_its_body(text: str, body: str | None) -> None:
     assert read(text).agent == body
+
+
+@pytest.mark.parametrize(
+    ("text", "body"),
+    [
+        ("a workshop for a Spot", "spot"),
+        ("a laboratory for a Stretch", "stretch3"),
+        ("a laboratory for a Unitree G1", "unitree_g1"),
+        ("a warehouse for a forklift", "forklift"),
+        ("a living room where a Roomba can drive", "robot_vacuum"),
+        ("a room for an adult", "adult"),
+    ],
+)
+def test_a_body_called_by_its_name_is_no_thing(text: str, body: str) -> None:
+    assert read(text).agent == body
+    assert things(text) == {}
+
+
+def test_a_name_of_a_body_may_be_another_word() -> None:
+    assert read("a warehouse with a forklift").agent is None
+    assert read("a living room with a reading lamp for a spot near the window").agent is None
 
 
 def test_pets_of_somebody_live_there_too() -> None:

@@ -286,12 +286,13 @@ class Parser(Relating):
         noun, before = chunk.noun, self._previous(chunk)
         several, strange = chunk.plural or noun.words.endswith("s"), noun.kind.startswith("unknown")
         alone = not chunk.det and chunk.number is None
+        aid = small.AIDS.get(noun.words if noun.guessed and not self.group else noun.kind)
         held = self.group[-1:] if alone and self._ahead(-3).kind == "thing" else []
         alike = bool(held) and noun.kind == held[0].thing.noun.kind
         if self.refusing and not (self.negated and chunk.det == "the"):
             self.said.refused.append((noun, (chunk.start, chunk.end)))
-        elif noun.kind in small.AIDS and (before in small.USING or self._ahead().value in small.ABLE):
-            self._fact(Chunk("body", chunk.start, chunk.end, small.AIDS[noun.kind]))
+        elif aid and (before in small.USING or self._ahead().value in small.ABLE):
+            self._fact(Chunk("body", chunk.start, chunk.end, aid))
         elif alike and (before == "of" or self._ahead(-2).kind == "with"):
             self._fact(replace(chunk, kind="function"))  # "a bottle of detergent", "a vase with flowers"
         elif held and before == "of" and noun.kind.split()[-1] == held[0].thing.head:

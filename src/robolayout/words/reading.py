@@ -179,12 +179,12 @@ def read_text(text: str, lexicon: Lexicon) -> Reading:
     guessed = named is not None and named[1].kind == "room"
     rooms = [chunk for chunk in parsed.facts if chunk.kind == "room"]
     bodies = [chunk.value for chunk in parsed.facts if chunk.kind == "body"]
-    for said in (room.adjectives for room in rooms):  # "a wheelchair user's bathroom", "a small barrier-free bathroom"
+    people = [c for c in parsed.facts if c.kind == "people"]
+    for said in (chunk.adjectives for chunk in (*rooms, *people)):  # "a small barrier-free bathroom", "my elderly mother"
         runs = (" ".join(said[begin:end]) for begin, end in combinations(range(len(said) + 1), 2))
         names = (who for run in runs for who in (run, run.removesuffix("s")))
         bodies += [lexicon.bodies[who] for who in names if who in lexicon.bodies][:1]
     bodies.sort(key=lambda body: small.LEAST_SAID.index(body) if body in small.LEAST_SAID else -1)
-    people = [c for c in parsed.facts if c.kind == "people"]
     siblings = [c.number or 1 for c in people if c.value.removesuffix("s") in small.SIBLINGS]
     counts = [sum(siblings)] * (len(siblings) > 1)  # "for a boy and a girl"
     counts += [c.number for c in parsed.facts if c.kind in ("people", "body") and c.number]
