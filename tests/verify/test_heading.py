@@ -38,7 +38,7 @@ def test_an_empty_room_is_the_room_less_half_a_body_on_each_side():
 
 def corridor(width: float, body: Agent = CART) -> tuple[Scene, Layout]:
     """A 4 x 4 m room whose upper part is left open; below it, two blocks leave a corridor straight in from the door."""
-    side = (3.6 - width) / 2
+    side = 1.45 - width / 2
     left, right = thing("left-0", (side, 2.4, 1.0)), thing("right-0", (4 - width - side, 2.4, 1.0))
     return furnished(
         square(),
@@ -46,6 +46,20 @@ def corridor(width: float, body: Agent = CART) -> tuple[Scene, Layout]:
         (right, on_floor(right, side + width + (4 - width - side) / 2, 1.2)),
         agents=(body,),
     )
+
+
+@pytest.mark.parametrize("name", ["wheelchair", "spot"])
+@pytest.mark.parametrize(("left", "enters"), [(1.3, False), (2.0, True)])
+def test_a_rectangle_comes_in_straight_by_the_door_itself(name: str, left: float, enters: bool):
+    """A shelf 0.92 m behind the right part of a door from x = 1.0 to 1.9: beside the door would be room for it, too."""
+    body, shelf = load_agent(name), thing("shelf-0", (0.3, 1.9, 1.8), "bookshelf")
+    report = judge_agent(*furnished(square(), (shelf, on_floor(shelf, left + 0.95, 1.07, 90)), agents=(body,)), body)
+    assert bool(report.headings.pieces) is enters
+    assert report.usage.usable["shelf-0"] is enters
+    if not enters:
+        reason = "it cannot come in straight by door 0: shelf-0 in the way"
+        assert report.usage.uses["shelf-0"].reason == reason
+        assert report.usage.shutting("shelf-0") == ("shelf-0",)
 
 
 @pytest.mark.parametrize(("width", "passes"), [(0.62, True), (0.58, False)])

@@ -19,7 +19,7 @@ from robolayout.floor.config import FLOOR
 from robolayout.floor.furnished import Floor, Shadow
 from robolayout.floor.ground import cells_about, used_from
 from robolayout.floor.targets import SIDES, use_of
-from robolayout.scene import OPENINGS, Agent, Asset
+from robolayout.scene import Agent, Asset
 
 
 @dataclass(frozen=True, eq=False)
@@ -101,9 +101,10 @@ def _turning(floor: Floor, agent: Agent, main: Mask) -> Mask:
 
 def _either_way(floor: Floor, agent: Agent) -> tuple[Mask, Mask]:
     """Return where a rectangular body can stand along and across the door's direction, having come in straight."""
-    room, deep = floor.room, max(OPENINGS.landing_depth, agent.length or 0.0)
+    room = floor.room
     along, across = (components(free) for free in _free(floor, ~floor.inside | (floor.body > 0), agent))
-    here = entered(*along, floor.cells(np.array(room.landing(room.doors[0], deep))) if room.doors else None)
+    way_in = room.way_in(agent.length or 0.0, agent.width or 0.0, 2 * floor.cell) if room.doors else None
+    here = entered(*along, None if way_in is None else floor.cells(np.array(way_in)))
     if not here:
         return np.zeros_like(floor.inside), np.zeros_like(floor.inside)
     turns = np.nonzero(floor.clear >= turning_radius(agent) / floor.cell + 1.0)

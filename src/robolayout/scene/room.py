@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 Point = tuple[float, float]
@@ -173,6 +173,14 @@ class Room:
         """Whether it is a rectangle along the axes."""
         x0, y0, x1, y1 = self.bounds
         return math.isclose(self.area, (x1 - x0) * (y1 - y0))
+
+    def way_in(self, length: float, width: float, slack: float) -> tuple[Point, Point, Point, Point]:
+        """Return the corners of where the centre of a rectangular body is once it has come straight in by the first door.
+
+        `slack` is how many metres farther in it may be, and by how much it fits through the door at least.
+        """
+        aside, depth = max(self.doors[0].width - width, slack), length / 2 + slack
+        return self.landing(replace(self.doors[0], offset=self.doors[0].center - aside / 2, width=aside), depth)
 
     def landing(self, door: Opening, depth: float | None = None) -> tuple[Point, Point, Point, Point]:
         """Return the corners of the door's landing: its width, `depth` metres into the room, counter-clockwise.

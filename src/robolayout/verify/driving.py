@@ -21,7 +21,7 @@ from numpy.typing import NDArray
 from scipy.sparse import csr_array
 from scipy.sparse.csgraph import breadth_first_order, dijkstra
 
-from robolayout.scene import Agent, Point, Room
+from robolayout.scene import ROUNDING, Agent, Point, Room
 from robolayout.verify._obstacles import Obstacles
 from robolayout.verify.heading import Drive, Pose, free_of, rectangle
 
@@ -250,9 +250,12 @@ class Lattice:
         """The place nearest to where the body comes in at which it can stand, heading into the room; None where there is none."""
         (edges, places), doors = self._graph.entering, self._room.doors
         here = np.unique(places[self._open[edges]])
-        away = np.hypot(*(self._places[here] - self._grid.origin).T)
-        aside = max(0.0, doors[0].width - (self._agent.width or 0.0)) / 2 if doors else 0.0
-        return int(here[np.argmin(away)]) if len(here) and away.min() <= LATTICE.entry + aside else None
+        offset = np.abs((self._places[here] - self._grid.origin) @ self._axes.T)  # ahead and aside
+        if doors:
+            aside = max(0.0, doors[0].width - (self._agent.width or 0.0)) / 2
+            here, offset = (values[offset[:, 1] <= aside + ROUNDING] for values in (here, offset))
+        away = np.hypot(*offset.T)
+        return int(here[np.argmin(away)]) if len(here) and away.min() <= LATTICE.entry else None
 
     @cached_property
     def _found(self) -> tuple[NDArray[np.float64], NDArray[np.intp]]:

@@ -23,11 +23,11 @@ from numpy.typing import NDArray
 from shapely import MultiPolygon, Polygon
 from shapely.geometry.base import BaseGeometry
 
-from robolayout.scene import OPENINGS, ROUNDING, Agent, Layout, Point, Room, Scene
+from robolayout.scene import ROUNDING, Agent, Layout, Point, Room, Scene
 from robolayout.verify._boxes import boxes, room_polygon
 from robolayout.verify._obstacles import Obstacles, obstacles
 from robolayout.verify._space import all_free, components, disc_space, opened
-from robolayout.verify.limits import FINE
+from robolayout.verify.limits import FINE, JUDGE
 from robolayout.verify.routes import Triangulation, cheapest, nearest_place
 
 Region = tuple[float, BaseGeometry]  # a heading in radians (0 for a disc), and where the centre can be
@@ -167,8 +167,8 @@ class Headings:
             return max(pieces, key=lambda node: area[node], default=None)
         if (agent.width or 0.0) > room.doors[0].width + ROUNDING:
             return None
-        landing = Polygon(room.landing(room.doors[0], max(OPENINGS.landing_depth, agent.length or 0.0)))
-        shared = [piece.intersection(landing).area for piece in self._pieces(0)]
+        inside = Polygon(room.way_in(agent.length or 0.0, agent.width or 0.0, JUDGE.touch))
+        shared = [piece.intersection(inside).area for piece in self._pieces(0)]
         return (0, int(np.argmax(shared))) if shared and max(shared) > 0 else None
 
     @cached_property

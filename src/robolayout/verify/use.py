@@ -102,7 +102,7 @@ class Usage:
     def shutting(self, name: str) -> tuple[str, ...]:
         """Return the assets that stand where a placed one needs room to open, or the body room to turn or to open it."""
         row = self._found.names.index(name)
-        found = (*self._in_front.get(row, ()), *self._cramping(row), *self._crowding(row))
+        found = (*self._in_front.get(row, ()), *self._barring, *self._cramping(row), *self._crowding(row))
         return tuple(blocker for blocker in dict.fromkeys(found) if blocker in self._found.names)
 
     def too_high(self, name: str) -> bool:
@@ -372,6 +372,15 @@ class Usage:
         strip = in_room(shapely.box(asset.size[0] / 2, -asset.size[1] / 2, deep, asset.size[1] / 2), place)
         return self._others(row, shapely.intersects(self._nav.blocking.shapes, strip))
 
+    @cached_property
+    def _barring(self) -> tuple[str, ...]:
+        """The assets that stand where a rectangular body would come in by the first door; none where it comes in."""
+        room = self._nav.scene.room
+        if self._headings is None or self._headings.space.start is not None or not room.doors:
+            return ()
+        way = shapely.Polygon(room.landing(room.doors[0], self.agent.length))
+        return self._others(-1, shapely.intersects(self._nav.blocking.shapes, way))
+
     def _others(self, row: int, near: NDArray[np.bool_]) -> tuple[str, ...]:
         """Return the assets, one aside, of which such obstacles are parts."""
         return tuple(self._found.names[other] for other in np.unique(self._nav.blocking.rows[near]) if other != row)
@@ -388,8 +397,9 @@ class Usage:
             z = float(found.poses[row, 2])
             low, high = z + min(low for low, _ in held), z + max(high for _, high in held)
             return f"its handles lie {low:.2f} to {high:.2f} m high, reach is from {agent.reach_low:.2f} to {agent.reach_high:.2f} m"
-        if blockers := self._in_front.get(row):
-            return f"its front has no room to open: {' and '.join(blockers)} in the way"
+        if blockers := self._barring or self._in_front.get(row):
+            why = "it cannot come in straight by door 0" if self._barring else "its front has no room to open"
+            return f"{why}: {' and '.join(blockers)} in the way"
         sides = " or ".join(self._ways.sides[i] for i in numbers if self._ways.sides[i]) or "edge"
         if self._stranded(row) is not None:
             near = self._cramping(row)

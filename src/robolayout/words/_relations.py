@@ -380,7 +380,9 @@ class Relating(About):
     def _in_an_aid(self, how: str) -> bool:
         """Note the body of "a person in a wheelchair", "an elderly person with a walker", "accessible by wheelchair"."""
         following, who = self._ahead(), self._ahead(-2)
-        moved = (how == "by" and not following.det) or (how == "in" and not self.group)  # "two people, one in a wheelchair"
+        moved = (how == "by" and not following.det) or (
+            how == "in" and not self.group
+        )  # "two people, one in a wheelchair"
         moved |= how in ("in", "with") and (who.kind in ("people", "body") or who.value in small.WALKING)
         if following.noun is None or following.noun.kind not in small.AIDS or not moved:
             return False

@@ -180,7 +180,9 @@ def read_text(text: str, lexicon: Lexicon) -> Reading:
     rooms = [chunk for chunk in parsed.facts if chunk.kind == "room"]
     bodies = [chunk.value for chunk in parsed.facts if chunk.kind == "body"]
     people = [c for c in parsed.facts if c.kind == "people"]
-    for said in (chunk.adjectives for chunk in (*rooms, *people)):  # "a small barrier-free bathroom", "my elderly mother"
+    for said in (
+        chunk.adjectives for chunk in (*rooms, *people)
+    ):  # "a small barrier-free bathroom", "my elderly mother"
         runs = (" ".join(said[begin:end]) for begin, end in combinations(range(len(said) + 1), 2))
         names = (who for run in runs for who in (run, run.removesuffix("s")))
         bodies += [lexicon.bodies[who] for who in names if who in lexicon.bodies][:1]

@@ -118,7 +118,13 @@ class Site:
             if want.over and (want.asset.is_flat or want.overhead):
                 covers.setdefault(want.over[0], []).append(want.name)
         site = Site(scene, wants, floor, forms, corridor, said, clusters, covers, late=frozenset(late(wants)))
-        site.solids += [shapely.Polygon(scene.room.landing(door)) for door in scene.room.doors]
+        landings = [scene.room.landing(door) for door in scene.room.doors]
+        straight_in = [
+            scene.room.landing(door, a.length) for door in scene.room.doors[:1] for a in scene.agents if a.length
+        ]
+        for corners in straight_in:
+            floor.landing |= floor.cells(np.array(corners))
+        site.solids += [shapely.Polygon(corners) for corners in (*landings, *straight_in)]
         return site
 
     def copy(self, *, trial: bool = False) -> Site:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 
 import numpy as np
@@ -84,7 +84,7 @@ def _space(nav: Navigation, width: float) -> Space:
 
 def _reached_by(nav: Navigation, width: float) -> set[str]:
     """Return what a disc of another width reaches with the body's arm."""
-    reached = reached_by(nav.boxes, _space(nav, width), nav.agent.reach)
+    reached = reached_by(nav.boxes, _space(nav, width), replace(nav.agent, radius=width / 2).reach)
     return {nav.boxes.names[row] for row in np.flatnonzero(reached)}
 
 
