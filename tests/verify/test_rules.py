@@ -78,6 +78,14 @@ def test_two_narrow_parts_close_together_count_as_one():
         assert judged(room, *placed, (box, on_floor(box, 0.3, 5.4)))["route_width"].met is met
 
 
+def test_a_way_is_wide_to_what_a_wider_disc_touches():
+    """A disc of 0.915 m comes to 0.555 m of the box behind the ledge, and the walker's arm is 0.55 m long."""
+    ledge, box = thing("ledge-0", (0.0975, 4.0, 0.5), use_sides=()), thing("box-0", (0.3, 0.5, 0.8))
+    placed = ((ledge, on_floor(ledge, 2.0, 3.04875, 90)), (box, on_floor(box, 2.0, 3.2475, 90)))
+    found = judged(square(), *placed, body=load_agent("elder_walker"))["route_width"]
+    assert (found.met, found.measured.text) == (True, "1.50 m or more to everything")
+
+
 def test_a_way_that_is_wide_all_along_has_no_narrow_part():
     """Such is the way to what only a slimmer body gets to once a chair is moved: up to the chair it is wide."""
     floor = Polygon(square().vertices)
