@@ -13,7 +13,7 @@ from robolayout._errors import SceneError
 from robolayout.assets.meshes import parts
 from robolayout.planners import OfflinePlanner, PlanRequest, scene_from_sentence
 from robolayout.program import read_program, reconcile
-from robolayout.scene import Asset, Room, Scene, load_agent, scene_to_dict
+from robolayout.scene import Agent, Asset, Room, Scene, load_agent, scene_to_dict
 from robolayout.words import read_words
 
 
@@ -518,3 +518,13 @@ def test_a_body_that_is_given_is_who_the_room_is_for() -> None:
     assert found.agent == "wheelchair" and "For: wheelchair." in found.sentences()
     assert not any("No body was named" in sentence for sentence in found.assumed)
     assert scene_from_sentence("a bedroom")[1].assumed[-1].startswith("No body was named")
+
+
+def test_the_doors_let_the_body_in() -> None:
+    forklift = scene_from_sentence("a warehouse for a forklift", seed=0)[0]
+    assert {door.height for door in forklift.room.doors} == {2.3}
+    giant = Agent("giant", 0.7, 2.8, length=1.5, width=1.3)
+    room = scene_from_sentence("a hallway", agents=[giant], seed=0)[0].room
+    assert all((door.width, door.height) == pytest.approx((1.4, 2.9)) for door in room.doors)
+    assert room.wall_height > 2.9
+    assert {door.height for door in scene_from_sentence("a hallway", seed=0)[0].room.doors} == {2.05}

@@ -55,12 +55,15 @@ class Wanted:
         return bool(self.wall.words or self.wall.by)
 
 
-def with_openings(room: Room, wishes: RoomWishes, wide: float, rng: np.random.Generator, *, varied: bool) -> Room:
+def with_openings(
+    room: Room, wishes: RoomWishes, door: tuple[float, float], rng: np.random.Generator, *, varied: bool
+) -> Room:
     """Return a room with doors near the ends of long walls (varied: somewhere in any wall), and windows in other walls.
 
     Where another wall can have it, no door is made at a wall or corner where things are to stand, and no window behind high ones.
-    A door is `wide` metres wide.
+    `door` is how many metres wide and high a door is.
     """
+    wide, tall = door
     order = sorted(range(len(room.walls)), key=lambda i: -room.walls[i].length)
     usual = order[int(rng.integers(0, len(order) if varied else min(2, len(order))))]
     along = float(rng.random()) if varied else float(rng.random() < 0.5)
@@ -75,7 +78,7 @@ def with_openings(room: Room, wishes: RoomWishes, wide: float, rng: np.random.Ge
         spare = room.walls[wall].length - wide
         first = min(OPENINGS.flanked if wishes.reading.flanked_door else OPENINGS.aside, spare / 2)
         offset = first + (1.0 - _aside(room, wall, along, wishes, full)) * (spare - 2 * first)
-        width, height = min(wide, room.walls[wall].length), min(2.05, room.wall_height - OPENINGS.lintel)
+        width, height = min(wide, room.walls[wall].length), min(tall, room.wall_height - OPENINGS.lintel)
         doors.append(Opening(wall, round(max(offset, 0.0), 2), width, height))
     more = max(1 + int(rng.integers(0, 2)), int(room.area / OPENINGS.window_each))
     room, taken = replace(room, doors=tuple(doors)), {d.wall for d in doors}

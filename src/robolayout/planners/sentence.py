@@ -131,6 +131,7 @@ def scene_from_sentence(
     bodies = agents or ([load_agent(wishes.agent)] if wishes.agent else [])
     added = Added(wishes, wished, wishes.floor(size), fill, bodies).things(rng)
     tallest = max((wishes.kinds[name].size[2] for name in (*wished, *added)), default=0.0)
+    tallest = max([tallest, *(body.height for body in bodies)])
     enough, given = math.ceil(10 * (1.07 * tallest + 0.2)) / 10, wishes.reading.measure("height")
     height = given[0] if given else max(wishes.room.height, enough)
     told = wishes.reading.agent is not None or bool(agents)
@@ -141,7 +142,7 @@ def scene_from_sentence(
         text.strip(), kind, size, wishes.reading.shape, height, who, wished, added, assumed, wishes.ignored
     )
     entries = {name: entry for name, (_, entry) in meshes.items() if name in wishes.meshes}
-    return scene_from_dict(_scene(found, wishes, rng, entries, varied=variant > 0), asset_dir=assets), found
+    return scene_from_dict(_scene(found, wishes, rng, entries, bodies, varied=variant > 0), asset_dir=assets), found
 
 
 def _wished(wishes: RoomWishes) -> dict[str, int]:
@@ -352,7 +353,13 @@ def _assumed(
 
 
 def _scene(
-    found: Understanding, wishes: RoomWishes, rng: np.random.Generator, meshes: Mapping[str, Entry], *, varied: bool
+    found: Understanding,
+    wishes: RoomWishes,
+    rng: np.random.Generator,
+    meshes: Mapping[str, Entry],
+    bodies: Sequence[Agent],
+    *,
+    varied: bool,
 ) -> dict[str, object]:
     """Return the scene file's content for what was understood."""
     width, depth = found.size
@@ -362,7 +369,9 @@ def _scene(
     if rng.random() < 0.5:
         outline = [(width - x, y) for x, y in reversed(outline)]
     wide = 3.0 if found.agent == "forklift" else 0.95 if width * depth < 30 else 1.1
-    room = with_openings(Room(tuple(outline), found.height), wishes, wide, rng, varied=varied)
+    wide = max([wide, *(0.1 + (body.width or 2 * body.radius) for body in bodies)])
+    tall = round(max([2.05, *(0.1 + body.height for body in bodies)]), 2)
+    room = with_openings(Room(tuple(outline), found.height), wishes, (wide, tall), rng, varied=varied)
     style = wishes.reading.style or str(rng.choice([palette.wood.name for palette in PALETTES]))
     covering = wishes.reading.floor or str(rng.choice(wishes.room.floors))
     return {
