@@ -175,10 +175,7 @@ class Room:
         return math.isclose(self.area, (x1 - x0) * (y1 - y0))
 
     def way_in(self, length: float, width: float, slack: float) -> tuple[Point, Point, Point, Point]:
-        """Return the corners of where the centre of a rectangular body is once it has come straight in by the first door.
-
-        `slack` is how many metres farther in it may be, and by how much it fits through the door at least.
-        """
+        """Return the corners of where a rectangular body's centre is, within a slack, once it is straight in by the first door."""
         aside, depth = max(self.doors[0].width - width, slack), length / 2 + slack
         return self.landing(replace(self.doors[0], offset=self.doors[0].center - aside / 2, width=aside), depth)
 

@@ -118,13 +118,11 @@ class Site:
             if want.over and (want.asset.is_flat or want.overhead):
                 covers.setdefault(want.over[0], []).append(want.name)
         site = Site(scene, wants, floor, forms, corridor, said, clusters, covers, late=frozenset(late(wants)))
-        landings = [scene.room.landing(door) for door in scene.room.doors]
-        straight_in = [
-            scene.room.landing(door, a.length) for door in scene.room.doors[:1] for a in scene.agents if a.length
-        ]
-        for corners in straight_in:
+        room, lengths = scene.room, [agent.length for agent in scene.agents if agent.length]
+        ways_in = [room.landing(door, length) for door in room.doors[:1] for length in lengths]
+        for corners in ways_in:
             floor.landing |= floor.cells(np.array(corners))
-        site.solids += [shapely.Polygon(corners) for corners in (*landings, *straight_in)]
+        site.solids += [shapely.Polygon(corners) for corners in (*map(room.landing, room.doors), *ways_in)]
         return site
 
     def copy(self, *, trial: bool = False) -> Site:
