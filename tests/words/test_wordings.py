@@ -52,6 +52,17 @@ def links(text: str) -> set[tuple[str, ...]]:
         ("a bedroom with a desk each for three children", {"desk": 3}),
         ("a pantry with shelves on three walls", {"shelf": 3}),
         ("A judge's bench at the front, and three rows of benches at the back.", {"bench": 10}),
+        ("five tables with 2-4 chairs each, two or three plants", {"table": 5, "chair": 20, "plant": 3}),
+        ("3 pcs desk, 3 pcs chair", {"desk": 3, "chair": 3}),
+        ("sofa/armchair/coffee table w/o tv", {"sofa": 1, "armchair": 1, "coffee table": 1}),
+        ("bed (double), wardrobe (3 doors), sofa (3-seater), chairs (4)", {"bed": 1, "wardrobe": 1, "sofa": 1, "chair": 4}),
+        ("a bar counter w/ 5 stools, 4 round tables each w/ 4 chairs", {"bar counter": 1, "stool": 5, "round table": 4, "chair": 16}),
+        ("4 bed hospital ward, each bed with a cabinet", {"bed": 4, "cabinet": 4}),
+        ("a table with benches instead of chairs and a lamp", {"table": 1, "bench": 2, "lamp": 1}),
+        ("a table with 6 chairs instead of 4", {"table": 1, "chair": 6}),
+        ("kitchen with island. Island has 3 stools.", {"island": 1, "stool": 3}),
+        ("Move the cup to the sink. Kitchen with sink, fridge and stove", {"cup": 1, "sink": 1, "fridge": 1, "stove": 1}),
+        ("a bedroom for my grandma, sink at a good height", {"sink": 1}),
     ],
 )  # fmt: skip
 def test_counts(text: str, counts: dict[str, int]) -> None:
@@ -141,6 +152,25 @@ def test_counts(text: str, counts: dict[str, int]) -> None:
         ("a table with six chairs near the bar", {("with", "chair", "table"), ("near", "table", "bar")}),
         ("a bed, a sofa, a shelf with cups above them", {("with", "cup", "shelf"), ("above", "shelf", "bed"), ("above", "shelf", "sofa")}),
         ("a table with magazines between two chairs", {("with", "magazine", "table"), ("amid", "table", "chair")}),
+        ("twin beds sharing one nightstand", {("amid", "nightstand", "twin bed")}),
+        ("two beds with a gap of 80 cm between them", {("apart", "bed", "")}),
+        ("1. sofa\n2. tv opposite the sofa", {("opposite", "tv", "sofa")}),
+        ("a desk infront of the window, a lamp besides the desk", {("front", "desk", "window"), ("next", "lamp", "desk")}),
+        ("a bench in front of the bed, and in front of that a rug", {("front", "bench", "bed"), ("front", "rug", "bench")}),
+        ("a bed pushed into the corner", {("in", "bed", "corner")}),
+        ("a bed to the right of the door, a desk to the left", {("right", "bed", "door"), ("left", "desk", "door")}),
+        (
+            "a TV, a shelf to the left of it and a plant to the right",
+            {("left", "shelf", "tv"), ("right", "plant", "tv")},
+        ),
+        (
+            "a sofa on one end, a table with six chairs on the other end",
+            {("on", "sofa", "side"), ("with", "chair", "table"), ("on", "table", "side")},
+        ),
+        ("a bed, a desk & chair opposite the bed", {("opposite", "desk", "bed"), ("opposite", "chair", "bed")}),
+        ("a bed and a shelf above the headboard", {("above", "shelf", "bed")}),
+        ("a desk by the door, a carpet corner with bean bags", {("by", "desk", "door"), ("in", "bean bag", "corner")}),
+        ("a bathroom: toilet with 90cm free on left side", {("cleared", "toilet", "side")}),
     ],
 )  # fmt: skip
 def test_relations(text: str, said: set[tuple[str, ...]]) -> None:
@@ -218,6 +248,85 @@ def test_a_text_may_end_after_any_word(text: str) -> None:
 
 def kinds(text: str) -> set[str]:
     return {thing.noun.kind for thing in read_text(text, LEXICON).parsed.things}
+
+
+@pytest.mark.parametrize(
+    ("text", "size"),
+    [
+        ("bedroom 10'6\" x 12' with a bed", (3.2, 3.66)),
+        ("bedroom 10'6\" x 12' queen bed", (3.2, 3.66)),
+        ("a room of 10 ft 6 in x 12 ft", (3.2, 3.66)),
+        ("room 400x500 with a sofa", (4.0, 5.0)),
+        ("room 4000 x 5000 with a sofa", (4.0, 5.0)),
+        ("hall 30 x 40 with a sofa", (30.0, 40.0)),
+    ],
+)
+def test_sizes_in_feet_and_inches_and_without_a_unit(text: str, size: tuple[float, float]) -> None:
+    assert read_text(text, LEXICON).size == size
+
+
+def test_a_size_in_brackets_is_that_of_the_thing() -> None:
+    reading = read_text("bed, desk (120x60), chair", LEXICON)
+    assert reading.size is None
+    assert [measure.values for thing in reading.parsed.things for measure in thing.sizes] == [(1.2, 0.6)]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "a room with a bed, a chair, nothing else",
+        "a room with nothing but a bed and a chair",
+        "only a bed and a chair. Nothing else.",
+    ],
+)
+def test_nothing_is_added_where_nothing_else_is_wanted(text: str) -> None:
+    scene, _ = scene_from_sentence(text)
+    assert sorted(asset.name for asset in scene.assets) == ["bed-0", "chair-0"]
+    assert {row.kind for row in read_words(scene).rows} == {"count", "refusal"}
+
+
+@pytest.mark.parametrize(
+    ("text", "refused"),
+    [
+        ("a living room with everything except a tv", ["television"]),
+        ("a table with benches instead of chairs", ["chair"]),
+        ("a bathroom with a shower rather than a bathtub", ["bathtub"]),
+    ],
+)
+def test_what_is_replaced_or_excepted_is_not_there(text: str, refused: list[str]) -> None:
+    scene, _ = scene_from_sentence(text)
+    assert [noun.kind for noun, _ in read_text(text, LEXICON).parsed.refused] == refused
+    assert not {asset.name.rsplit("-", 1)[0] for asset in scene.assets} & {*refused}
+
+
+@pytest.mark.parametrize(
+    ("text", "room"),
+    [
+        ("a dentist's surgery", "exam room"),
+        ("doctors surgery: exam couch along the wall", "exam room"),
+        ("a nail bar with four manicure tables", "salon"),
+        ("a therapist's room: two armchairs", "therapy room"),
+        ("baby room - crib, rug", "nursery"),
+        ("Bedroom/office combo, desk by the window", "bedroom"),
+    ],
+)
+def test_rooms_by_other_names(text: str, room: str) -> None:
+    assert read_text(text, LEXICON).room == room
+
+
+def test_a_room_where_children_sleep_is_theirs() -> None:
+    scene, _ = scene_from_sentence("I want a room where two kids can sleep and do homework")
+    assert Counter(asset.category for asset in scene.assets)["single bed"] == 2
+
+
+def test_people_are_counted_in_the_name_of_a_room() -> None:
+    assert read_text("a 3-person office", LEXICON).people == 3
+    assert read_text("a 12 seat conference room", LEXICON).people == 12
+
+
+def test_a_shelf_above_a_desk_hangs_where_others_stand_in_such_a_room() -> None:
+    scene, _ = scene_from_sentence("a children's room with a shelf above the desk")
+    assert "wall shelf" in {asset.category for asset in scene.assets}
 
 
 def test_company_tells_what_a_noun_means() -> None:

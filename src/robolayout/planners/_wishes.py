@@ -208,7 +208,9 @@ class RoomWishes:
         fits = [name for name in items if name.split()[-1] == word and name.split()[0] != word and name not in low]
         if thing.noun.said == "small table":  # in a game room no pool table, beside a sofa no coffee table
             fits = [name for name in fits if name in (*LOW, *SMALL) and (thing.noun.others or kind not in LOW)]
-        return next(iter(fits), kind)
+        # a shelf above a desk is none that stands
+        hung = frozenset[str]() if thing.category.on_floor else {*thing.category.places}
+        return next((name for name in fits if not hung or hung & {*self.lexicon.kinds[name].places}), kind)
 
     def _shown(self, thing: NamedThing) -> str:
         """Return the category under which a thing stands in the scene: its own words where no kind of that name is known."""
@@ -373,6 +375,7 @@ def _room(reading: Reading, rooms: RoomTypes) -> tuple[RoomType, list[str]]:
     scores = {name: _belongs(kinds, room) for name, room in likely.items()}
     best = max(scores, key=lambda name: (scores[name], name == "room"))
     best = best if scores[best] >= LIKELY else "room"
+    best = "children's room" if reading.young and best in ("room", "office") else best
     named = f"{reading.room_words!r} is no room type that is known" if reading.guessed else "No room was named"
     return rooms.rooms[best], [f"{named}: {best} was taken."]
 

@@ -168,7 +168,8 @@ def _wished(wishes: RoomWishes) -> dict[str, int]:
     if seated and not wishes.reading.people and wishes.useless("chair", {**wished, **room.base}):
         heads.add("chair")  # who is here sits elsewhere: on sofas, or on stools at high tables
     for name, count in room.person.items():
-        if people and head(name) not in heads and name not in wishes.reading.unwanted:
+        spared = wishes.reading.only and not wishes.kinds[name].on_floor
+        if people and head(name) not in heads and not spared and name not in wishes.reading.unwanted:
             wished[_chair(wishes) if head(name) == "chair" else name] += count * people
             if wishes.seats and head(name) == "desk":
                 wished[_chair(wishes)] += count * people  # besides those at the table

@@ -57,6 +57,10 @@ class About(References):
             return mention
         if following.kind == "part":
             self.at += 1
+            beds = self._last_of(small.SLEPT_ON, named(self.about)) if "headboard" in following.adjectives else []
+            if beds and chunk.value in ("above", "behind", "on"):  # "a shelf above the headboard"
+                self._understood(following)
+                return beds[0]
             return self._place_of(following)
         clause = following.kind == "people" and self._ahead(-1).kind == "filler"  # "in front, so that people see it"
         whole = chunk.value in ("in", "on", "around", "flank")  # "in the kitchen", "around the room"
@@ -81,7 +85,7 @@ class About(References):
         """Return what a pronoun after a relation stands for; "which" only where a verb follows ("on which sits a lamp")."""
         following = self._ahead(1).kind
         which = word.value == "which" and following in ("verb", "thing")
-        that = word.value == "that" and following in ("comma", "stop", "verb", "")
+        that = word.value == "that" and following in ("comma", "stop", "verb", "", "thing")
         both = word.value == "both" and following in ("and", "comma", "stop", "")  # "with a lamp on both"
         if word.value in ("that", "which", "both") and not (which or that or both):
             return None
@@ -206,6 +210,8 @@ class About(References):
             return False
         if place is not None and {"back", "front", "rear"} & {*place.words}:
             return False  # of the room
+        if place is not None and place.det == "other" and any(place_in(link.objects, "side") for link in self._here):
+            return False  # "a sofa at one end, a table with chairs at the other end"
         for seat in seats:
             if seat.per_side(chunk, place, own=seat.det == "a") and seat.thing not in self.dealt:
                 seat.thing.number = tables[-1].sides * (seat.thing.number or 1)
@@ -241,7 +247,8 @@ class About(References):
         # "with 90 cm on each side of the bed"
         free = also or told or (led.value == "flank" and self._ahead(-2).kind == "with")
         its, following = led.det == "its", after.kind in ("thing", "pron")  # "1 m of clear space on its right"
-        both = bool(self.group) and led.value == "flank" and not (its or following)  # "80 cm free on both sides"
+        # "80 cm free on both sides", "90 cm free on left side"
+        both = bool(self.group) and led.value in small.FREED and not (its or following)
         every = bool(self.group) and (led.value, after.value, after.det) == ("on", "side", "all")
         known = both or every or (led.value in (*small.FREED, "amid") and (its or following))
         if measure.kind != "length" or not (free and known):
@@ -303,6 +310,8 @@ class About(References):
     def _nearest(self, relation: str) -> list[Mention]:
         """Return what a relation right after a noun is about: small things "on" something all together, else the noun."""
         following = self._ahead().value
+        others = [m for m in self.group if self._ahead().det != "the" or not m.thing.same(self._ahead())]
+        self.group = others if others[1:] else self.group  # "a bed, a desk and a chair opposite the bed"
         noun = self.target.thing.noun if self.target is not None else None
         hung = noun is not None and any("wall" in kind.places for kind in noun.categories)
         several = self.target is not None and self.target.several and not any(one.several for one in self.group)

@@ -20,6 +20,9 @@ from robolayout.words._tokens import VAGUE, count_of
 Before = tuple[str, int | None, str, int]
 """What stands before a noun: article, number, bound, rows."""
 
+SIDED = ("end", "ends", "headboard")
+"""Words for sides that say which one."""
+
 
 class Chunker(ClosedWords):
     """Cuts a text into chunks."""
@@ -61,7 +64,9 @@ class Chunker(ClosedWords):
 
     def _next(self, at: int) -> Chunk:
         if at in self.measured:
-            thing = self._noun_phrase(at)  # "2.2 m wide sofa"
+            named = any(" ".join(self.words[max(at - n, 0) : at]) in self.lexicon.room_words for n in (1, 2))
+            of_room = named and self.measured[at].kind == "size"  # "bedroom 3 x 4 m double bed"
+            thing = None if of_room else self._noun_phrase(at)  # "2.2 m wide sofa"
             if thing is not None and thing.kind == "thing":
                 return thing
             measure, end = self.measured[at], max(self.after[at], at + 1)
@@ -128,7 +133,10 @@ class Chunker(ClosedWords):
                 its = "its" if (re.search(" (its|their) ", phrase) and value != "wall") or of_it else ""
                 number = rows * each if each else None
                 return Chunk("rel", at, at + size, value, None, its, number, adjectives=tuple(words), rows=rows)
-            if kind == "and" or (kind == "pron" and size > 1 and phrase != "the two"):
+            counted = (self._word(at + size + 1) or ".") in (*MARKS, *small.JOINING)
+            if kind == "not" and counted and count_of(self._word(at + size)):
+                return Chunk("filler", at, at + size + 1, phrase)  # "with six chairs instead of four"
+            if kind in ("and", "alone", "not") or (kind == "pron" and size > 1 and phrase != "the two"):
                 return Chunk(kind, at, at + size, phrase)
         word = self.words[at]
         if word == "nothing" or (word in small.REFUSING and not self._bound(at)[0]):
@@ -187,8 +195,8 @@ class Chunker(ClosedWords):
     def _before_noun(self, i: int, det: str, number: int | None) -> tuple[str, int | None, str, int, int] | None:
         """Return (article, number, bound, rows, length) of what stands before a noun here."""
         word, rest = self.words[i], self.words[i + 1 : i + 5]
-        seats = word == "that" and rest[:1] == ["seats"]
-        if seats or i in self.measured or (word == "first" and self.lexicon.noun(self.words[i : i + 3])):
+        that = word == "that" and rest[:1] in (["seats"], ["a"], ["an"])  # "next to that a lamp"
+        if that or i in self.measured or (word == "first" and self.lexicon.noun(self.words[i : i + 3])):
             return None  # "first aid kit"
         if rest[1:2] == ["of"] and rest[0] in small.SETS and word not in small.DETERMINERS and not count_of(word):
             return ("", None, "", 0, 3)  # "a seating group of"
@@ -203,7 +211,8 @@ class Chunker(ClosedWords):
             return (new, None, "", 0, 1) if self._run(i + 1) or count_of(rest[0] if rest else "") else None
         count = None if self._seats(i) or (rest[:1] and rest[0] in small.SCALES) else count_of(word)
         if count and (number is None or det == "one") and word not in ("a", "an", "twin", "couple"):
-            return ("", count, "vague" if word in VAGUE else "", 0, 1 + (rest[:1] in (["of"], ["x"])))
+            unit = rest[:1] in (["of"], ["x"]) or (rest[:1] in (["pcs"], ["pc"], ["nos"]) and bool(self._run(i + 2)))
+            return ("", count, "vague" if word in VAGUE else "", 0, 1 + unit)
         return None
 
     def _some_of(self, word: str, rest: list[str]) -> tuple[str, int | None, str, int, int] | None:
@@ -250,7 +259,8 @@ class Chunker(ClosedWords):
             pair = self.words[i - 1 : i] + self.words[i + 1 : i + 2]
             alike = (self.grammar.walls, (*self.grammar.styles, *self.grammar.sizes))
             both = word == "and" and bool(run) and any(all(one in words for one in pair) for words in alike)
-            stops = i in self.measured or word[0].isdecimal() or word in (*MARKS, *small.WITH, *small.REFUSING)
+            figure = word[0].isdecimal() and not self._seats(i)
+            stops = i in self.measured or figure or word in (*MARKS, *small.WITH, *small.REFUSING)
             stops = stops or (word in small.JOINING and not both)  # "the left and right walls"
             of_it = bool(run) and self.lexicon.noun([run[-1], *self.words[i : i + 2]]) is not None  # "chest of drawers"
             stops = stops or (word in (*small.BREAKING, *small.SELLING) and not of_it)
@@ -304,7 +314,7 @@ class Chunker(ClosedWords):
         """Return what a run names; the longest end that is known says what, else what an article promises is a thing."""
         det, number, bound, rows = before
         whole = told and not self._does(run)
-        if (owned := self._owned(at, i, run, before)) is not None:
+        if owned := self._owned(at, i, run, before) or self._bedded(at, i, run, before):
             return owned
         noun = self.lexicon.noun(run) if det in ("a", "each") and run[0] in self.grammar.styles else None
         if len(run) == 1 and noun is not None:  # "a glass"
@@ -321,10 +331,9 @@ class Chunker(ClosedWords):
                     owner = i + end - 1 in self.owners or kind not in ("thing", "part", "corner")
                     plural = not owner and _plural(tail[-3 if "of" in tail else -1], noun)
                     adjectives = (*run[:start], *heaped(self.words[at:i]))
-                    adjectives += (
-                        tuple(tail[-1:]) if value == "side" and tail[-1] in (*small.HALVES, "end", "ends") else ()
-                    )
-                    end += after
+                    adjectives += tuple(tail[-1:]) if value == "side" and tail[-1] in (*small.HALVES, *SIDED) else ()
+                    inner = self._told_after(i + end) if kind == "thing" and not after else ()
+                    adjectives, end = (*adjectives, *inner), end + after + len(inner) + 2 * bool(inner)
                     return Chunk(kind, at, i + end, value, noun, det, number, bound, plural, adjectives, rows=rows)
             if end == len(run) and whole and (room := self.lexicon.room_like(run)):
                 return Chunk("room", at, i + end, room, None, det, number, bound)
@@ -349,12 +358,28 @@ class Chunker(ClosedWords):
             end += 1
         return Chunk("thing", at, end, small.OF_A_SIDE.get(side, ""), noun, *before[:3], adjectives=tuple(run[:k]))
 
+    def _bedded(self, at: int, i: int, run: list[str], before: Before) -> Chunk | None:
+        """Return what a room has so many of by its name: "a four-bed ward", "a 12 desk classroom"."""
+        noun = self.lexicon.noun(run[:1]) if (before[1] or 1) > 1 else None
+        rooms = (" ".join(run[k:]) in self.lexicon.room_words for k in range(1, len(run)))
+        own = noun is not None and noun.said in small.OWN and any(rooms)
+        return Chunk("thing", at, i + 1, "", noun, "", *before[1:3], plural=True) if own else None
+
+    def _told_after(self, end: int) -> tuple[str, ...]:
+        """Return what is said of a noun in brackets after it: "a bed (double)", "a sofa (3-seater)"."""
+        closing = self.words[end : end + 4].index(")") if ")" in self.words[end : end + 4] else 0
+        told = tuple(self.words[end + 1 : end + closing]) if self._word(end) == "(" else ()
+        known = self.grammar.adjectives - self.grammar.fillers - self.grammar.parts.keys() if told else ()
+        return told if all(word in known for word in told) else ()
+
     def _counted_after(self, end: int, number: int | None) -> tuple[int, int | None]:
         """Return how many words after a noun say its number, and that: "chairs (4)", "chairs: 4", "chairs x 4"."""
         mark, rest = self._word(end), [word for word in self.words[end + 1 : end + 5] if word != "x"]  # "cabinets (x3)"
         count = count_of(rest[0]) if rest and mark in ("(", ":", "x") else None
         if number is not None or count is None or end + 1 in self.measured or (mark == "(") != (")" in rest):
             return 0, number
+        if mark == "(" and rest[1] not in (")", "in", "pcs", "pieces"):
+            return 0, number  # "a wardrobe (3 doors)"
         if mark == "(":  # "the chairs (four in total)"
             return self.words.index(")", end) + 1 - end, count
         ends = self._word(end + 2) or "."

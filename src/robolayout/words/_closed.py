@@ -74,8 +74,9 @@ class ClosedWords:
             return following in small.DETERMINERS or following in ("it", "them") or counted
         if phrase in ("at", "around", "over", "about") and (following.isdigit() or following in ("least", "most")):
             return False
-        if phrase in ("before", "row"):
-            return phrase == "before" and (following in small.DETERMINERS or following in ("it", "them"))
+        if phrase in ("before", "besides", "row"):
+            begins = phrase == "besides" and self._word(end - 2) in ("", *MARKS)  # "besides the bed there is a desk"
+            return phrase != "row" and not begins and (following in small.DETERMINERS or following in ("it", "them"))
         if phrase in small.HEAPS.values() or phrase in ("diagonal", "angled"):
             return not self._continues(end - 1) or following in small.JOINING
         return True
@@ -95,7 +96,7 @@ class ClosedWords:
         for size in range(min(LONGEST, len(self.words) - i), 0, -1):
             phrase = " ".join(self.words[i : i + size])
             kind = self.grammar.phrases.get(phrase, ("", ""))[0]
-            if kind == "and" or (kind == "rel" and self._is_relation(phrase, i + size)):
+            if kind in ("and", "alone", "not") or (kind == "rel" and self._is_relation(phrase, i + size)):
                 return True
         return False
 

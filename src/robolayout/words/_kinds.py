@@ -92,7 +92,7 @@ def _settle_by_others(link: Link) -> None:
     to = [item.thing for item in mentions(link.objects)]
     heads, amid, around = {thing.head for thing in to}, link.relation == "amid", link.relation == "around"
     for thing in (mention.thing for mention in link.subjects if to):
-        if amid and heads <= small.LOUNGE and thing.noun.kind in small.TABLES:
+        if amid and heads <= small.LOUNGE and thing.noun.kind in small.TABLES and thing.noun.said != "dining table":
             _take(thing, "coffee table" if "sofa" in heads else "side table")
         elif thing.noun.said == "small table" and thing.noun.others and link.relation in (*small.AT_SIDES, "front"):
             _take(thing, "coffee table" if link.relation == "front" and heads <= small.LOUNGE else "side table")

@@ -15,7 +15,7 @@ from robolayout.assets import CATALOGUE, Category, category_of, find_category
 from robolayout.assets.lexicon import phrase_index, singular
 from robolayout.assets.palette import LOOKS
 from robolayout.scene import Asset, Scene
-from robolayout.words._function_words import ALIKE, BEFORE_NOUNS, JOINED
+from robolayout.words._function_words import ALIKE, BEFORE_NOUNS, INSTEAD, JOINED, SPARING
 from robolayout.words.rooms import RoomTypes
 
 LONGEST = 8
@@ -64,6 +64,7 @@ def grammar() -> Grammar:
     phrases = {plain(word): ("verb", word) for word in data["verbs"]["words"]}
     phrases |= {word: ("pron", word) for word in data["pronouns"]["words"]}
     phrases |= {phrase: ("and", phrase) for phrase in (*JOINED, *ALIKE)}
+    phrases |= {phrase: ("alone", phrase) for phrase in SPARING} | {phrase: ("not", phrase) for phrase in INSTEAD}
     phrases |= {phrase: ("rel", name) for name, given in data["relations"].items() for phrase in given}
     phrases = {phrase.replace(" the ", " "): named for phrase, named in phrases.items()} | phrases  # "on left side of"
     lists: dict[str, Any] = {"rooms": data["rooms"]}

@@ -188,6 +188,8 @@ class Parser(Relating):
         people = groups[-1] if groups else self._people()  # "two seating groups, each with a sofa"
         if chunk.value not in small.EVERY or not (self.group or people > 1):
             return False
+        if self._ahead(-2).kind == "thing" and self.group[-1:] and self.group[-1].several:
+            self.group = self.group[-1:]  # "a bar with stools, four tables each with four chairs"
         if self.group and self._ahead().kind == "with":
             self.at += 1
             det = "each" if chunk.value.startswith(("each", "every")) else "all"
@@ -291,6 +293,7 @@ class Parser(Relating):
         alike = bool(held) and noun.kind == held[0].thing.noun.kind
         if self.refusing and not (self.negated and chunk.det == "the"):
             self.said.refused.append((noun, (chunk.start, chunk.end)))
+            self.refusing = before not in small.INSTEAD  # "instead of a bathtub a shower"
         elif aid and (before in small.USING or self._ahead().value in small.ABLE):
             self._fact(Chunk("body", chunk.start, chunk.end, aid))
         elif alike and (before == "of" or self._ahead(-2).kind == "with"):
@@ -363,10 +366,11 @@ class Parser(Relating):
 
     def _on_part(self, chunk: Chunk) -> None:
         """A place of the room that no relation leads to: what it has, doors and windows that are asked for."""
-        if chunk.value == "room" or (chunk.value == "side" and self._is_zone(chunk)):
+        corner = (chunk.value, chunk.det, self._ahead().kind) == ("corner", "a", "with")  # "a carpet corner with mats"
+        if chunk.value == "room" or corner or (chunk.value == "side" and self._is_zone(chunk)):
             self._new_zone(chunk)
-            self._understood(*[chunk] * (chunk.value == "side"))
-        if (self._ahead(-3).kind, self._ahead(-2).kind) == ("thing", "with"):
+            self._understood(*[chunk] * (chunk.value != "room"))
+        if self._ahead(-3).kind == "thing" and (self._ahead(-2).kind == "with" or self._ahead(-2).value == "("):
             self._fact(replace(chunk, kind="function"))  # "a wardrobe with two sliding doors"
             return
         if chunk.value in ("window", "door"):

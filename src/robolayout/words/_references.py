@@ -126,7 +126,8 @@ class References(Spoken):
             return last  # "three lamps. One lamp should be next to the sofa"
         if bare and not chunk.plural and not target:
             # "1 bed, 1 desk: desk near bed", "watch it from bed"
-            return last if alike and (follows == "rel" or self._previous(chunk) == "from") else None
+            again = earlier and last.count == 1 and (last.definite or (not self.group and follows in ("with", "verb")))
+            return last if alike and (again or follows == "rel" or self._previous(chunk) == "from") else None
         if chunk.det == "a":
             again = alike and (target or last.definite)
             last.definite = last.definite and target

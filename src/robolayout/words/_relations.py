@@ -158,7 +158,8 @@ class Relating(About):
         if beyond.kind == "thing" and beyond.value and chunk.value in ("on", "by") and not laid:
             chunk = replace(chunk, value=beyond.value)
         first, its = self.at, chunk.det == "its"
-        self.about = [] if self._turned_round(first, self.at + (not its)) else subjects
+        turned = chunk.value == "between" or self._turned_round(first, self.at + (not its))
+        self.about = [] if turned else subjects
         of_it = its and not {"its", "their"} & {*chunk.adjectives}  # "on the right a bed"
         whose = "them" if "their" in chunk.adjectives else "it"
         it = self._led_back(chunk.value) if of_it else self._meant(whose, chunk.value)
@@ -288,7 +289,8 @@ class Relating(About):
             laid = objects != self.holder
         its = self._ahead(-1).kind == "pron" and named(self.holder) & named(objects)
         laid = laid and not its  # "a chair with a lamp behind it"
-        hung = place and chunk.value in ("on", "hanging")  # "a sofa with the TV on the wall"
+        # "a sofa with the TV on the wall"
+        hung = place and chunk.value in ("on", "hanging") and not place_in(objects[:1], "side")
         low = held and not self.group[-1].topped and not self.holder[0].thing.category.on_floor
         sat = held and self.group[-1].sat_on and self.holder[0].thing.head in small.TOPS
         sat = sat and (chunk.value != "opposite" or self.group[-1].thing.head not in small.LOUNGE)

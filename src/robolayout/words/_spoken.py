@@ -86,7 +86,7 @@ class Spoken:
         self.dealt: dict[NamedThing, int] = {}
         self.about: list[Mention] = []  # what the relation that is being read is about
         self.kept: list[Mention] = []  # what the last "it" stood for, or the head of the sentence led to
-        self.contrast: tuple[str, list[Mention]] = ("", [])  # the other side than the last one, and of what
+        self.contrast: tuple[str, Sequence[Item]] = ("", [])  # the other side than the last one, and of what
         self.axis = ""  # along which line of it, where no "it" was said
         self.other: list[Mention] = []  # what was said since, by a noun
         self.by_it = False  # whether an "it" at the head of a clause was the last one
@@ -142,8 +142,8 @@ class Spoken:
             self.zone = self._part_of_room(chunk)
         elif chunk.kind == "corner":
             self.zone.area = self.zone.area or chunk
-        if half:
-            self.zone.half, self.zone.place = True, (replace(chunk, kind="rel", value="in"), [place_of(chunk)])
+        if half or (chunk.kind, chunk.value) == ("part", "corner"):
+            self.zone.half, self.zone.place = half, (replace(chunk, kind="rel", value="in"), [place_of(chunk)])
         self.fronted = None if self.group else self.fronted
         self.group, self.subject, self.acted, self.holder = [], [], [], []
         self.having = False
@@ -164,7 +164,8 @@ class Spoken:
         """Return whether a side is a part of the room by what one does there: "the living part is on the left"."""
         if [c.kind for c in self.chunks[self.at : self.at + 2]] in (["filler", "room"], ["filler", "part"]):
             self.at += 2  # "the front half of the room"
-        told = chunk.det in ("the", "a") and len(chunk.adjectives) == 1 and not {*chunk.adjectives} & {*grammar().sizes}
+        told = chunk.det in ("the", "a") and len(chunk.adjectives) == 1
+        told = told and not {*chunk.adjectives} & {"headboard", *grammar().sizes}
         return bool(told) and not self.group and self._ahead().kind in ("verb", "rel", "with")
 
     @property
@@ -278,7 +279,7 @@ class Spoken:
 
     def _kept(self, word: str, relation: str, own: set[NamedThing]) -> list[Mention]:
         """Return what the last "it" stood for where this one stands for the same."""
-        side, of = self.contrast
+        side, of = self.contrast[0], mentions(self.contrast[1])
         if word == "it" and relation == side and of and of[0].thing not in own:
             return of  # "a lamp to the left of the sofa; to the right of it a plant"
         again = [c.kind for c in self.chunks[max(self.at - 5, 0) : self.at]] == ["pron", "and", "thing", "rel", "pron"]
@@ -330,8 +331,9 @@ class Spoken:
             return
         self.told, self.by_it = self._ahead(-1).start, pronoun and fronted
         things = [item for item in mentions(objects) if item.thing.count == 1]
-        if not pronoun:
-            self.contrast = (small.OTHER_SIDE[relation], things[:1]) if relation in small.OTHER_SIDE else ("", [])
+        if not pronoun or relation in small.OF_A_SIDE:
+            side = things[:1] or [item for item in objects[:1] if place_in([item], "door", "window")]
+            self.contrast = (small.OTHER_SIDE[relation], side) if relation in small.OTHER_SIDE else ("", [])
         if things and (pronoun or (fronted and relation in small.AXES)):
             self.kept, self.axis, self.other = things[:1], "" if pronoun else small.AXES[relation], []
         elif not pronoun:

@@ -9,13 +9,13 @@ from dataclasses import dataclass
 from robolayout._errors import SceneError
 
 UNITS = {"": 1.0, "m": 1.0, "cm": 0.01, "ce": 0.01, "mm": 0.001, "ft": 0.3048, "in": 0.0254}
-_NUMBER_WORDS = (
-    "no zero, a an one, two both couple pair twin, three trio, four, five, six, seven, eight, nine, ten, eleven, twelve dozen, "
-    "thirteen, fourteen, fifteen, sixteen, seventeen, eighteen, nineteen, twenty"
-)
+_SPELT = [
+    "no zero", "a an one", "two both couple pair twin", "three trio", "four", "five", "six", "seven", "eight", "nine", "ten",
+    "eleven", "twelve dozen", "thirteen", "fourteen", "fifteen", "sixteen", "seventeen", "eighteen", "nineteen", "twenty",
+]  # fmt: skip
 _TENS = ["thirty", "forty", "fifty", "sixty", "seventy", "eighty", "ninety", "hundred"]
 NUMBERS = (
-    {word: value for value, words in enumerate(_NUMBER_WORDS.split(", ")) for word in words.split()}
+    {word: value for value, words in enumerate(_SPELT) for word in words.split()}
     | {"some": 2, "few": 3, "several": 3, "lots": 4, "many": 4}
     | {word: 10 * tens for tens, word in enumerate(_TENS, 3)}
 )
@@ -31,7 +31,8 @@ AFTER_AN_AGE = ("with", "and", "who", "that", "in", "to", "should", "is")
 
 _WORDS = "|".join(word for word in NUMBERS if word not in ("a", "an", "no", *VAGUE))
 _N = rf"(\d+(?:[.,]\d+)?|\b(?:{_WORDS})\b)"
-_LENGTHS = r"metres?|meters?|m\b|cm\b|mm\b|centimet(?:re|er)s?|feet|foot|ft\b|inches|inch|['\"]"
+_INCHES = r"(?:feet|foot|ft|')[ -]?\d+(?:\.\d+)?\s?(?:inches|inch|in\b|''|\")|'\d{1,2}(?!\d)"
+_LENGTHS = rf"{_INCHES}|metres?|meters?|m\b|cm\b|mm\b|centimet(?:re|er)s?|feet|foot|ft\b|inches|inch|['\"]"
 _U = rf"[\s-]*({_LENGTHS}|in\b)?"
 _BY = r"\s*(?:x|\u00d7|by|\*)\s*"
 _SIZE = re.compile(rf"{_N}{_U}{_BY}{_N}{_U}(?:{_BY}{_N}{_U})?(?![\w\u00b2]|\s*grid)", re.IGNORECASE)
@@ -72,10 +73,18 @@ USUAL = (0.25, 4.0)
 APART = 0.3
 """Metres by which what lies between two things may differ from what is said."""
 
+_ITEM = re.compile(
+    rf"^[ \t]*\d{{1,2}}[.)](?=\s)|\b\d{{1,2}} ?[-\u2013] ?(?=\d{{1,2}} [a-z]{{3}})"
+    rf"|\b(?:\d{{1,2}}|{_WORDS}) (?:to|or) (?=(?:\d{{1,2}}|{_WORDS}) [a-z]{{3}})",
+    re.MULTILINE,
+)
+"""Numbers that count no things: those of a list, and the lesser of two ("2-4 chairs")."""
+
 _TOKEN = re.compile(
-    rf"(?:twenty|{'|'.join(_TENS[:-1])})[- ](?:{_WORDS})\b"
+    rf"w/o\b|(?:twenty|{'|'.join(_TENS[:-1])})[- ](?:{_WORDS})\b"
     r"|(?:north|south|east|west)[- ]facing(?= (?:\w+ )?(?:window|door|wall))"
     r"|[a-z]+-(?:in|mounted|hung)\b|\d+(?:\.\d+)?|[^\W\d_]+(?:'[^\W\d_]+)*|[.;!?:\n]|,|[()&+]"
+    r"|(?<=\S[ \t])[-\u2013](?= \D)|\u2014|(?<=\w)/(?=\w)"
 )
 
 
@@ -135,7 +144,7 @@ ROOMS = {
 """Least and most that a measure of a room may be, and what is said of others."""
 
 
-_written = {"per": ("for", "each"), "apiece": ("each",)} | {
+_written = {"w/o": ("without",), "per": ("for", "each"), "apiece": ("each",), **dict.fromkeys("-\u2013\u2014", (",",))} | {
     f"{ten}{mark}{one}": (str(NUMBERS[ten] + NUMBERS[one]),)
     for ten in ("twenty", *_TENS[:-1]) for one in _WORDS.split("|") for mark in "- "
 }  # fmt: skip
@@ -156,6 +165,7 @@ def tokens(text: str) -> list[Token]:
     lower = text.lower().replace("\u2019", "'")
     if len(lower) != len(text):  # a letter whose small form is longer: places would no longer fit
         lower = "".join(char.lower() if len(char.lower()) == 1 else char for char in text).replace("\u2019", "'")
+    lower = _ITEM.sub(lambda match: " " * len(match.group()), lower)
     found = ((m.span(), _written.get(m.group(), (re.sub("[' -]", "", m.group()),))) for m in _TOKEN.finditer(lower))
     return _counted([Token(word, *span) for span, said in found for word in said])
 
@@ -175,6 +185,10 @@ def _counted(words: list[Token]) -> list[Token]:
             more = (4, [text[3], "people"])
         elif text[0] == "seating" and second:
             more = (1, ["for"])
+        elif first and text[0].isdecimal() and text[1] in ("seat", "seater") and first < len(_SPELT):
+            more = (2, [_SPELT[first].split()[0], "seater"])  # "a 3 seat sofa"
+        elif text[0] == "/":  # "sofa/armchair/lamp", but "a sofa/bed"
+            more = (1, ["and"] if len(found) < 2 or found[-2].text not in ("a", "an", "the", "one", "/") else [])
         elif first and text[1:3] == ["year", "old"]:  # "for a six-year-old", "for a 70-year-old woman"
             alone = not text[3].isalpha() or text[3] in AFTER_AN_AGE
             more = (3, ["child" if first <= GROWN else "teenager" if first < ADULT else "person"] * alone)
@@ -207,6 +221,9 @@ def _size(match: re.Match[str]) -> Said:
     unit = next((unit for _, unit in reversed(said) if unit), None)
     if not unit and not said[0][0][0].isdecimal():
         return None  # "two by two" says how things stand
+    if not unit:  # "a desk (120x60)"
+        largest = max(_number(number) for number, _ in said)
+        unit = next((short for least, short in BARE if largest >= least), "m")
     return "size", tuple(round(metres(number, own, unit), 2) for number, own in said)
 
 
@@ -237,6 +254,9 @@ def _gap(match: re.Match[str]) -> Said:
     return "between" if match.group().endswith("between") else "apart", bounds
 
 
+BARE = ((1000.0, "mm"), (100.0, "cm"))
+"""From which figure on a size without a unit is one in millimetres, and in centimetres."""
+
 _READERS = (
     (_GRID, _grid), (_SIZE, _size), (_SIDES, _size), (_AREA, _area), (_HEIGHT, _height), (_APART, _gap), (_LENGTH, _length),
 )  # fmt: skip
@@ -246,6 +266,8 @@ _READERS = (
 def metres(number: str, unit: str | None, fallback: str | None = None) -> float:
     """Return a length in metres; without a unit that of `fallback` counts, then metres."""
     word = (unit or fallback or "").lower()
+    if (more := re.match(r"(?:f\w+|')[ -]?([\d.]+)", word)) and unit:  # 10'6"
+        return metres(number, "ft") + metres(more.group(1), "in")
     short = "ft" if word[:1] == "f" or word == "'" else "in" if word in ('"', "in", "inch", "inches") else word[:1]
     short = word[:2] if word.startswith(("c", "mm")) else short
     return _number(number) * UNITS.get(short, 1.0)

@@ -163,6 +163,8 @@ class _RowMaker:
                 yield Unjudged(words, "count", f"chairs or other seats for {people}", partial(as_row.seated, people))
             elif chunk.kind in ("people", "users"):
                 yield Unjudged(words, "people", "who uses the room", as_row.as_given)
+            elif chunk.kind == "alone":
+                yield Unjudged(words, "refusal", "nothing that is not named", self._nothing_else)
             elif chunk.kind == "corner":
                 yield Unjudged(words, "function", "a part of the room", as_row.taste)
             elif chunk.kind != "style":
@@ -323,6 +325,11 @@ class _RowMaker:
             return met(left <= as_row.UP_TO, f"the way ends {left:.2f} m before it")
 
         return Unjudged(f"{words} {to}".strip(), "way", "a way for the body", judge, things)
+
+    def _nothing_else(self, room: Furnished) -> Finding:
+        """Judge that nothing is there but what was named."""
+        added = room.layout.keys() - {name for names in self.names.values() for name in names}
+        return met(not added, f"{', '.join(sorted(added)) or 'nothing else'} there")
 
     def _refusal(self, noun: str, kind: str, words: str) -> Unjudged:
         def judge(room: Furnished) -> Finding:

@@ -190,6 +190,8 @@ def read_text(text: str, lexicon: Lexicon) -> Reading:
     siblings = [c.number or 1 for c in people if c.value.removesuffix("s") in small.SIBLINGS]
     counts = [sum(siblings)] * (len(siblings) > 1)  # "for a boy and a girl"
     counts += [c.number for c in parsed.facts if c.kind in ("people", "body") and c.number]
+    sized = [pair for room in rooms for pair in pairwise(room.adjectives)]  # "a 3-person office"
+    counts += [count for said, of in sized if of in ("person", "seat", "seater") and (count := count_of(said))]
     counts += [small.BORN[c.value] for c in people if c.value in small.BORN] + [parsed.people]
     young = "child_6" in bodies or len(siblings) > 1 or any(c.value in small.YOUNG for c in people)
     settle_kinds(parsed)
@@ -210,7 +212,7 @@ def read_text(text: str, lexicon: Lexicon) -> Reading:
         agent=bodies[0] if bodies else "child_6" if young else None,
         people=number,
         young=young,
-        only=any(word.text == "only" for word in words) or "nothing else" in read.lower(),
+        only=any(word.text == "only" for word in words) or any(chunk.kind == "alone" for chunk in parsed.facts),
         unread=len(text) - len(read),
     )
 
