@@ -63,6 +63,10 @@ def links(text: str) -> set[tuple[str, ...]]:
         ("kitchen with island. Island has 3 stools.", {"island": 1, "stool": 3}),
         ("Move the cup to the sink. Kitchen with sink, fridge and stove", {"cup": 1, "sink": 1, "fridge": 1, "stove": 1}),
         ("a bedroom for my grandma, sink at a good height", {"sink": 1}),
+        ("a library with 6 shelves (3 on each side)", {"shelf": 6}),
+        ("a table, two chairs at the short sides of it, four at the long sides", {"table": 1, "chair": 6}),
+        ("a bed. Nightstand both sides.", {"bed": 1, "nightstand": 2}),
+        ("bed, wardrope on left wall, dumbell rack, coffee table", {"bed": 1, "wardrope": 1, "dumbell rack": 1, "coffee table": 1}),
     ],
 )  # fmt: skip
 def test_counts(text: str, counts: dict[str, int]) -> None:
@@ -171,6 +175,12 @@ def test_counts(text: str, counts: dict[str, int]) -> None:
         ("a bed and a shelf above the headboard", {("above", "shelf", "bed")}),
         ("a desk by the door, a carpet corner with bean bags", {("by", "desk", "door"), ("in", "bean bag", "corner")}),
         ("a bathroom: toilet with 90cm free on left side", {("cleared", "toilet", "side")}),
+        ("a bed. Nightstands left & right.", {("flank", "nightstand", "bed")}),
+        ("a bed. At its foot a bench. Opposite, a dresser.", {("foot", "bench", "bed"), ("opposite", "dresser", "bed")}),
+        ("The window is in the north wall. Under it is a desk.", {("under", "desk", "window")}),
+        ("The door is in the south wall. A shelf is next to it. A box is on it.", {("next", "shelf", "door"), ("on", "box", "shelf")}),
+        ("a bed, a desk and a sofa, but not near each other", {("far", "desk", "bed"), ("far", "sofa", "bed"), ("far", "sofa", "desk")}),
+        ("three chairs far from each other", {("far", "chair", "chair")}),
     ],
 )  # fmt: skip
 def test_relations(text: str, said: set[tuple[str, ...]]) -> None:
@@ -308,6 +318,7 @@ def test_what_is_replaced_or_excepted_is_not_there(text: str, refused: list[str]
         ("a therapist's room: two armchairs", "therapy room"),
         ("baby room - crib, rug", "nursery"),
         ("Bedroom/office combo, desk by the window", "bedroom"),
+        ("bedroom twin beds pushed together", "bedroom"),
     ],
 )
 def test_rooms_by_other_names(text: str, room: str) -> None:
@@ -327,6 +338,18 @@ def test_people_are_counted_in_the_name_of_a_room() -> None:
 def test_a_shelf_above_a_desk_hangs_where_others_stand_in_such_a_room() -> None:
     scene, _ = scene_from_sentence("a children's room with a shelf above the desk")
     assert "wall shelf" in {asset.category for asset in scene.assets}
+
+
+def test_slips_of_spelling_are_named_by_what_they_mean() -> None:
+    assert kinds("bed, wardrope on left wall, dumbell rack") == {"bed", "wardrobe", "dumbbell rack"}
+    scene, _ = scene_from_sentence("bed, wardrope on left wall")
+    assert "wardrobe-0" in {asset.name for asset in scene.assets}
+
+
+def test_what_stands_at_stations_is_there_once() -> None:
+    scene, _ = scene_from_sentence("a hair salon with 3 stations each with a mirror and a chair")
+    counts = Counter(asset.category for asset in scene.assets)
+    assert (counts["mirror"], counts["salon chair"]) == (3, 3)
 
 
 def test_company_tells_what_a_noun_means() -> None:

@@ -222,8 +222,10 @@ class Added:
         links = [link for link in self.wishes.reading.parsed.links if link.relation in ("with", "around")]
         named_so = [thing for thing, kind in self.wishes.asked.items() if kind.name == name]
         own = [[link for link in links if thing in named(link.subjects)] for thing in named_so]
-        owners = {self.wishes.kind(item.thing) for each in own for link in each for item in mentions(link.objects)}
-        names = (owner, self.wishes.kinds[owner].like or owner)
+        had = [(self.wishes.kind(to.thing), link) for link in links for to in mentions(link.objects)]
+        owners = {kind for kind, link in had if any(link in each for each in own)}
+        mates = {kind for kind, link in had if owner in map(self.wishes.kind, named(link.subjects))}
+        names = (owner, self.wishes.kinds[owner].like or owner, *mates)  # "a mirror and a chair at each station"
         return all(own) and bool(owners) and not any(one.endswith(tuple(owners)) for one in names)
 
     def _add(self, name: str, most: int) -> None:

@@ -81,7 +81,7 @@ class About(References):
             return Place("room")
         return self._pronoun(following, chunk) if following.kind == "pron" else None
 
-    def _pronoun(self, word: Chunk, chunk: Chunk) -> Mention | None:
+    def _pronoun(self, word: Chunk, chunk: Chunk) -> Item | None:
         """Return what a pronoun after a relation stands for; "which" only where a verb follows ("on which sits a lamp")."""
         following = self._ahead(1).kind
         which = word.value == "which" and following in ("verb", "thing")
@@ -90,6 +90,8 @@ class About(References):
         if word.value in ("that", "which", "both") and not (which or that or both):
             return None
         self.at += 1
+        if word.value == "it" and self.opening is not None and {m.thing for m in self.recent} <= named(self.about):
+            return self.opening  # "The window is in the north wall. Under it is a desk."
         own, meant = named(self.about), (self.acted or self.group)[-1:]
         if not which:
             others = [m for m in self.recent or self.before if m.thing not in own][-1:]

@@ -20,8 +20,8 @@ from robolayout.words._tokens import VAGUE, count_of
 Before = tuple[str, int | None, str, int]
 """What stands before a noun: article, number, bound, rows."""
 
-SIDED = ("end", "ends", "headboard")
-"""Words for sides that say which one."""
+SHORT = 5
+"""Letters up to which a word is no slip of spelling where no article promises a thing."""
 
 
 class Chunker(ClosedWords):
@@ -314,7 +314,11 @@ class Chunker(ClosedWords):
         """Return what a run names; the longest end that is known says what, else what an article promises is a thing."""
         det, number, bound, rows = before
         whole = told and not self._does(run)
-        if owned := self._owned(at, i, run, before) or self._bedded(at, i, run, before):
+        if (
+            owned := self._owned(at, i, run, before)
+            or self._bedded(at, i, run, before)
+            or self._slip(at, i, run, before)
+        ):
             return owned
         noun = self.lexicon.noun(run) if det in ("a", "each") and run[0] in self.grammar.styles else None
         if len(run) == 1 and noun is not None:  # "a glass"
@@ -331,7 +335,9 @@ class Chunker(ClosedWords):
                     owner = i + end - 1 in self.owners or kind not in ("thing", "part", "corner")
                     plural = not owner and _plural(tail[-3 if "of" in tail else -1], noun)
                     adjectives = (*run[:start], *heaped(self.words[at:i]))
-                    adjectives += tuple(tail[-1:]) if value == "side" and tail[-1] in (*small.HALVES, *SIDED) else ()
+                    adjectives += (
+                        tuple(tail[-1:]) if value == "side" and tail[-1] in (*small.HALVES, "ends", "headboard") else ()
+                    )
                     inner = self._told_after(i + end) if kind == "thing" and not after else ()
                     adjectives, end = (*adjectives, *inner), end + after + len(inner) + 2 * bool(inner)
                     return Chunk(kind, at, i + end, value, noun, det, number, bound, plural, adjectives, rows=rows)
@@ -365,25 +371,19 @@ class Chunker(ClosedWords):
         own = noun is not None and noun.said in small.OWN and any(rooms)
         return Chunk("thing", at, i + 1, "", noun, "", *before[1:3], plural=True) if own else None
 
-    def _told_after(self, end: int) -> tuple[str, ...]:
-        """Return what is said of a noun in brackets after it: "a bed (double)", "a sofa (3-seater)"."""
-        closing = self.words[end : end + 4].index(")") if ")" in self.words[end : end + 4] else 0
-        told = tuple(self.words[end + 1 : end + closing]) if self._word(end) == "(" else ()
-        known = self.grammar.adjectives - self.grammar.fillers - self.grammar.parts.keys() if told else ()
-        return told if all(word in known for word in told) else ()
-
-    def _counted_after(self, end: int, number: int | None) -> tuple[int, int | None]:
-        """Return how many words after a noun say its number, and that: "chairs (4)", "chairs: 4", "chairs x 4"."""
-        mark, rest = self._word(end), [word for word in self.words[end + 1 : end + 5] if word != "x"]  # "cabinets (x3)"
-        count = count_of(rest[0]) if rest and mark in ("(", ":", "x") else None
-        if number is not None or count is None or end + 1 in self.measured or (mark == "(") != (")" in rest):
-            return 0, number
-        if mark == "(" and rest[1] not in (")", "in", "pcs", "pieces"):
-            return 0, number  # "a wardrobe (3 doors)"
-        if mark == "(":  # "the chairs (four in total)"
-            return self.words.index(")", end) + 1 - end, count
-        ends = self._word(end + 2) or "."
-        return (2, count) if rest[0].isdecimal() and ends in MARKS else (0, number)
+    def _slip(self, at: int, i: int, run: list[str], before: Before) -> Chunk | None:
+        """Return a thing whose name is misspelt, and before the first thing of a text the room: "bedroom twin beds"."""
+        first = at == i == 0 and not self.lexicon.noun(run)
+        for k in range(1, len(run) if first else 0):
+            if (room := self.lexicon.room_words.get(" ".join(run[:k]))) and self.lexicon.noun(run[k:]):
+                return Chunk("room", at, k, room)
+        odd = [k for k, word in enumerate(run) if word not in self.grammar.adjectives and not self.lexicon.noun([word])]
+        item = at == i and self._word(at - 1) in ("", *MARKS, *small.JOINING) and odd and len(run[odd[0]]) > SHORT
+        noun = self.lexicon.slip(run[odd[0] :]) if item else None
+        known = any(self._known(run[k:]) for k in range(len(run)))
+        if noun is None or self.lexicon.noun(run[odd[0] :]) or (known and noun.kind.split()[-1:] != run[-1:]):
+            return None  # "wardrope on the left wall", "a dumbell rack"
+        return Chunk("thing", at, i + len(run), "", noun, *before[:3], _plural(run[-1], noun), tuple(run[: odd[0]]))
 
     def _does(self, run: list[str]) -> bool:
         """Return whether the last word of a run is what the thing before it does: "the armchair makes", "armchairs join"."""

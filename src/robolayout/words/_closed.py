@@ -112,3 +112,23 @@ class ClosedWords:
         counted = following in ("door", "drawer", "person", "tier") and beyond.isalpha()
         counted = counted and beyond not in (*small.JOINING, *small.WITH, *small.DETERMINERS)
         return self.words[i] == "twin" or following in ("seat", "seater", "poster") or counted
+
+    def _told_after(self, end: int) -> tuple[str, ...]:
+        """Return what is said of a noun in brackets after it: "a bed (double)", "a sofa (3-seater)"."""
+        closing = self.words[end : end + 4].index(")") if ")" in self.words[end : end + 4] else 0
+        told = tuple(self.words[end + 1 : end + closing]) if self._word(end) == "(" else ()
+        known = self.grammar.adjectives - self.grammar.fillers - self.grammar.parts.keys() if told else ()
+        return told if all(word in known for word in told) else ()
+
+    def _counted_after(self, end: int, number: int | None) -> tuple[int, int | None]:
+        """Return how many words after a noun say its number, and that: "chairs (4)", "chairs: 4", "chairs x 4"."""
+        mark, rest = self._word(end), [word for word in self.words[end + 1 : end + 5] if word != "x"]  # "cabinets (x3)"
+        count = count_of(rest[0]) if rest and mark in ("(", ":", "x") else None
+        if number is not None or count is None or end + 1 in self.measured or (mark == "(") != (")" in rest):
+            return 0, number
+        if mark == "(" and rest[1] not in (")", "in", "pcs", "pieces"):
+            return 0, number  # "a wardrobe (3 doors)"
+        if mark == "(":  # "the chairs (four in total)"
+            return self.words.index(")", end) + 1 - end, count
+        ends = self._word(end + 2) or "."
+        return (2, count) if rest[0].isdecimal() and ends in MARKS else (0, number)

@@ -7,7 +7,7 @@ import tomllib
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from difflib import get_close_matches
-from functools import cache, lru_cache
+from functools import cache, cached_property, lru_cache
 from importlib.resources import files
 from typing import Any
 
@@ -49,7 +49,7 @@ class Grammar:
     floors: Mapping[str, str]  # names of floors by what is said of them, or of the style of the room
     dress: Mapping[str, tuple[str, ...]]  # phrases that say how much is to lie about, by how much
 
-    @property
+    @cached_property
     def adjectives(self) -> frozenset[str]:
         """All words before nouns that mean something or ask for nothing."""
         lists = (self.styles, self.sizes, self.walls, self.fillers, self.rooms, LOOKS, self.functions, self.parts)
@@ -74,6 +74,7 @@ def grammar() -> Grammar:
         lists[name] = {word: key for key, words in data[name].items() for word in words}
     for name in ("sizes", "models", "groups", "cosy", "dress"):
         lists[name] = {key: tuple(row) for key, row in data[name].items()}
+    lists["sizes"] |= dict.fromkeys((*data["exclusive"]["shape"], "circular", "medium"), (1.0, 1.0, 1.0))
     return Grammar(phrases=phrases, exclusive=tuple(map(frozenset, data["exclusive"].values())), **lists)
 
 
@@ -153,12 +154,17 @@ class Lexicon:
         known = any(_misspelt(text.replace(" ", "")) for text in (" ".join(words), words[-1]))
         return grammar().parts[near[0]] if near and len(words[-1]) > 4 and not known else None
 
+    def slip(self, words: Sequence[str]) -> Noun | None:
+        """Return what some words are a slip of spelling of, None where they are none."""
+        text = singular(" ".join(words))
+        near = _misspelt(text.replace(" ", "")) if len(text) > 4 else None
+        return Noun(near, near, text, "by its spelling", kinds=self.kinds) if near else None
+
     def guess(self, words: Sequence[str]) -> Noun:
         """Return the nearest kind of a noun that nobody knows: by a slip of spelling, its last word, or any known word."""
         text = singular(" ".join(words))
-        near = _misspelt(text.replace(" ", "")) if len(text) > 4 else None
-        if near:
-            return Noun(text, near, text, "by its spelling", kinds=self.kinds)
+        if near := self.slip(words):
+            return near
         head = text.split()[-1]
         ending = max((known for known in grammar().heads if head.endswith(known)), key=len, default="")
         if ending:

@@ -45,6 +45,12 @@ class Parser(Relating):
     def _on_stop(self, chunk: Chunk | None) -> None:
         if self.fronted is not None and self.empty and place_in(self.fronted[1][:1]):
             self._keep_empty(*self.fronted)  # "South wall: nothing."
+        at = [
+            place
+            for place, (start, _) in self.said.openings
+            if start >= self.began and not (self.subject or self.group)
+        ]
+        self.opening = at[0] if len(at) == 1 else None
         self.spoken = list({mention.thing: mention for mention in (*self.recent, *self.targets)}.values())
         self.before = self.subject or (self.recent if self.fronted else self.group) or self.before
         self._new_sentence()
@@ -120,7 +126,8 @@ class Parser(Relating):
         sides = max((thing.sides for thing in self.said.things if thing.has_sides), default=2)
         many = share * sides if at_sides else share
         last = (self.group or self.before)[-1:]
-        more = self.chunks[self.at - 2].kind == "and" and last == self.acted and last[:1] and last[0].pick is None
+        begins = "comma" if last and share > last[0].thing.count else "and"  # "two at the ends, four at the sides"
+        more = self.chunks[self.at - 2].kind == begins and last == self.acted and last[:1] and last[0].pick is None
         told = (last[0].thing.number or int(last[0].thing.count == 1)) if more else 0
         if told and self.said.links and last[0].thing not in self.dealt:
             k = self.said.links[-1]  # "two before it and one behind it", "a lamp on the left and one on the right"

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import replace
-from itertools import dropwhile
+from itertools import combinations, dropwhile
 
 from robolayout.words import _function_words as small
 from robolayout.words._chunk import NOTHING, ROWS, Chunk
@@ -13,6 +13,7 @@ from robolayout.words._lexicon import grammar
 from robolayout.words._said import Item, Link, Mention, NamedThing, Place, mentions, named, place_in, places
 from robolayout.words._spoken import Spoken
 from robolayout.words._tokens import APART
+from robolayout.words._ways import CROWD
 
 
 class References(Spoken):
@@ -219,7 +220,10 @@ class References(Spoken):
         """Return what a relation leads to where nothing is named: "a loft bed with a desk underneath", "a bed on the left"."""
         if relation == "opposite":  # of a single seat, bed or desk: "a bed ..., a mirror on the wall opposite"
             faced = self._last_of(("desk", "island", *small.SEATS, *small.SLEPT_ON, *small.WATCHED), named(self.about))
-            faced = [m for m in faced if not m.several]
+            foot = [k.objects for k in self.said.links if k.relation == "foot" and named(faced) & named(k.subjects)]
+            faced = [
+                m for m in (mentions(foot[-1]) if foot else faced) if not m.several
+            ]  # a bench at the foot of a bed
             here = [k.subjects for k in self._here[-1:] if k.relation != "with"]
             # "a washer and a dryer along a wall, an ironing board opposite"
             return faced or [m for each in here for m in each[:1] if m.thing not in named(self.about)]
@@ -238,6 +242,19 @@ class References(Spoken):
             of = []
         return of or [Place("side", (relation,))]
 
+    def _far_apart(self, chunk: Chunk) -> bool:
+        """Note that each of several things is far from each other one: "a bed, a desk and a sofa, but not near each other"."""
+        who = list(self.group or self.subject or self.before)
+        one = who[0].thing if len(who) == 1 and who[0].several and who[0].pick is None else None
+        who = [Mention(one, slice(i, i + 1)) for i in range(one.count)] if one is not None else who
+        kept = chunk.value == "far" or (self.refusing and chunk.value in small.NEARNESS)
+        if not kept or self._ahead().value not in ("each other", "one another") or not 1 < len(who) <= CROWD:
+            return False
+        self.refusing, self.at = False, self.at + 1
+        pairs = combinations(who, 2)
+        self.said.links += [Link("far", (b,), (a,), chunk.start, self._ahead(-1).end) for a, b in pairs]
+        return True
+
     def _parted(self, rows: Link, aisle: Chunk, span: tuple[int, int], metres: float) -> None:
         """Note that rows are at least so many metres apart, by the aisle that is said to be between them."""
         self._understood(aisle)
@@ -251,7 +268,7 @@ class References(Spoken):
         ends = self._ahead().kind in ("", "stop", "comma")
         if chunk.value != "flank" or not (things and alone and ends and things[0].category.on_floor):
             return False
-        if {"each", "either"} & {*chunk.adjectives}:
+        if {"each", "either"} & {*chunk.adjectives} and things[0] not in self.dealt:
             things[0].number = 2 * (things[0].number or 1)
         walls = Place("wall", ("opposite",), plural=True)
         self.said.links.append(Link("wall", tuple(self.group), (walls,), chunk.start, chunk.end))

@@ -137,7 +137,7 @@ class Relating(About):
         """A relation: find what it is about, then what it leads to."""
         if chunk.value == "open" and self.verb and self.subject:  # "the table stands free in the middle"
             chunk = replace(chunk, value="middle")
-        aided = self._parted_from(chunk) or self._in_an_aid(chunk.value)
+        aided = self._parted_from(chunk) or self._far_apart(chunk) or self._in_an_aid(chunk.value)
         if aided or self._of_the_room(chunk) or self._of_a_place(chunk, self.at - 2) or self._along_an_aisle(chunk):
             return
         if self._of_people() or self._of_what_is_unknown():
@@ -158,8 +158,7 @@ class Relating(About):
         if beyond.kind == "thing" and beyond.value and chunk.value in ("on", "by") and not laid:
             chunk = replace(chunk, value=beyond.value)
         first, its = self.at, chunk.det == "its"
-        turned = chunk.value == "between" or self._turned_round(first, self.at + (not its))
-        self.about = [] if turned else subjects
+        self.about = [] if chunk.value == "between" or self._turned_round(first, self.at + (not its)) else subjects
         of_it = its and not {"its", "their"} & {*chunk.adjectives}  # "on the right a bed"
         whose = "them" if "their" in chunk.adjectives else "it"
         it = self._led_back(chunk.value) if of_it else self._meant(whose, chunk.value)
@@ -289,8 +288,7 @@ class Relating(About):
             laid = objects != self.holder
         its = self._ahead(-1).kind == "pron" and named(self.holder) & named(objects)
         laid = laid and not its  # "a chair with a lamp behind it"
-        # "a sofa with the TV on the wall"
-        hung = place and chunk.value in ("on", "hanging") and not place_in(objects[:1], "side")
+        hung = place and chunk.value in ("on", "hanging") and not place_in(objects[:1], "side")  # a TV on the wall
         low = held and not self.group[-1].topped and not self.holder[0].thing.category.on_floor
         sat = held and self.group[-1].sat_on and self.holder[0].thing.head in small.TOPS
         sat = sat and (chunk.value != "opposite" or self.group[-1].thing.head not in small.LOUNGE)

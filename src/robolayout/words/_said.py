@@ -158,7 +158,7 @@ class Mention:
         It is also where each of several has its `own`: "four desks, each with a chair on both sides".
         """
         each = place.det == "each" if place else "each" in chunk.adjectives
-        one = self.thing.number == 1 and chunk.value == "flank"
+        one = (self.thing.number or 1 + self.thing.plural) == 1 and chunk.value == "flank"
         each = each or ("either" in chunk.adjectives and (self.thing.number or 0) > 2)
         told = one or (each and self.at_a_table and self.thing.number is not None)
         return told and (self.thing.times == 1 or own) and self.pick is None

@@ -81,6 +81,7 @@ class Spoken:
         self.zone: RoomPart | None = None  # the part of the room that this sentence is about
         self.at = 0
         self.before: list[Mention] = []
+        self.opening: Place | None = None  # the door or window that the last sentence was about
         self.spoken: list[Mention] = []  # all that the last sentence named
         self.pending: list[Mention] = []
         self.dealt: dict[NamedThing, int] = {}

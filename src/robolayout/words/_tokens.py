@@ -144,7 +144,8 @@ ROOMS = {
 """Least and most that a measure of a room may be, and what is said of others."""
 
 
-_written = {"w/o": ("without",), "per": ("for", "each"), "apiece": ("each",), **dict.fromkeys("-\u2013\u2014", (",",))} | {
+_marks = {"-": ",", "\u2013": ",", "\u2014": ",", "&": "and", "+": "and", "w/o": "without", "apiece": "each"}
+_written = {"per": ("for", "each")} | {mark: (word,) for mark, word in _marks.items()} | {
     f"{ten}{mark}{one}": (str(NUMBERS[ten] + NUMBERS[one]),)
     for ten in ("twenty", *_TENS[:-1]) for one in _WORDS.split("|") for mark in "- "
 }  # fmt: skip
