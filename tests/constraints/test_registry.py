@@ -156,7 +156,9 @@ def test_a_file_without_relations_is_refused(tmp_path: Path) -> None:
     path.write_text("from robolayout.constraints import Relation\n")
     with pytest.raises(InputError, match=r"empty\.py defines no relation, that is, no class derived from"):
         register_file(path)
-    with pytest.raises(InputError, match=r"nowhere\.py is no Python file, or not there; relations are read from a file"):
+    with pytest.raises(
+        InputError, match=r"nowhere\.py is no Python file, or not there; relations are read from a file"
+    ):
         register_file(tmp_path / "nowhere.py")
 
 
