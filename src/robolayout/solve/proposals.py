@@ -74,6 +74,19 @@ class Proposals:
         return ahead
 
     @cached_property
+    def followers(self) -> list[set[int]]:
+        """What is placed by each slot (a chair by its table), and what is placed by that in turn."""
+        behind: list[set[int]] = [set() for _ in self.leaders]
+        for slot, before in enumerate(self.leaders):
+            for leader in before:
+                behind[leader].add(slot)
+        for slot, direct in enumerate(behind):
+            for other in sorted(direct):
+                direct |= behind[other]
+            direct.discard(slot)
+        return behind
+
+    @cached_property
     def ranks(self) -> list[int]:
         """How many things stand between a slot and what it is placed by: what others refer to comes first."""
         ranks = [0] * len(self.leaders)

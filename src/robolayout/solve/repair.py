@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from robolayout._geometry import compose
-from robolayout.constraints import AssetRef, MirrorTerm, WallRef
+from robolayout.constraints import WallRef
 from robolayout.floor import RoutePlan
 from robolayout.solve.compile import Floats, Problem
 from robolayout.solve.config import SolverConfig
@@ -52,7 +52,7 @@ class Repair:
         self.stages, self.problem, self.runner, self.config, self.rng = stages, stages[0].problem, runner, config, rng
         self.builder = Builder(stages[0], rng, config.weights)
         self.proposals = self.builder.proposals
-        self.groups = _groups(self.problem)
+        self.groups = self.proposals.followers
 
     def near(self, world: Floats, slot: int, plan_for: Callable[[Floats], RoutePlan]) -> Iterator[Floats]:
         """Yield layouts in which one thing is elsewhere, as near to its guess as can be, the others of its stage making way."""
@@ -160,19 +160,3 @@ def _unlike(poses: Floats, cost: Floats, first: int, most: int) -> list[int]:
         if not chosen or np.abs(poses[chosen] - poses[k]).max(axis=1).min() > MENDING.alike:
             chosen.append(k)
     return chosen
-
-
-def _groups(problem: Problem) -> list[set[int]]:
-    """Return for each slot the slots whose statements are about it (a chair for its table), and theirs in turn."""
-    followers: list[set[int]] = [set() for _ in problem.names]
-    for a, b, _ in problem.pairs:
-        followers[b].add(a)
-    for term in problem.statement_terms:
-        if isinstance(term, MirrorTerm) and isinstance(term.ref, AssetRef):
-            twins = {problem.slot[ref.name] for ref in (term.a, term.b) if isinstance(ref, AssetRef)}
-            followers[problem.slot[term.ref.name]] |= twins
-    for slot, direct in enumerate(followers):
-        for other in sorted(direct):
-            direct |= followers[other]
-        direct.discard(slot)
-    return followers
