@@ -62,15 +62,8 @@ def _handy(item: Cast, cast: Mapping[str, Cast], agents: Sequence[Agent]) -> Ite
     heights = {other.asset.size[2] for other in cast.values()}
     for narrow in (False, True) if any(join.on_top for join in item.role.joins) else ():
         within = {height for height in heights if in_height(agents, item.asset, height, narrow=narrow)}
-        yield {other for other, there in cast.items() if there.asset.size[2] in within and _room_on(there, item, cast)}
+        yield {other for other, there in cast.items() if there.asset.size[2] in within}
     yield cast.keys()
-
-
-def _room_on(top: Cast, item: Cast, cast: Mapping[str, Cast]) -> bool:
-    """Return whether a thing fits on a top before each other one there, or beside it in the middle: no bowl goes by a wide screen."""
-    (deep, wide, _), (depth, width, _) = top.asset.size, item.asset.size
-    there = (one.asset.size for one in cast.values() if one.anchor == top.name and one.join.on_top)
-    return all(depth <= deep - other[0] or width <= (wide - other[1]) / 2 for other in there)
 
 
 def _footprint(asset: Asset) -> float:
@@ -141,7 +134,7 @@ def _anchor(item: Cast, cast: Mapping[str, Cast], handy: Set[str]) -> tuple[str,
                 and taken[name] < join.most
                 and (join.slot != "around" or taken[name] < most_seats(other.asset, item.asset))
                 and item.name not in chain(name, cast)
-                and _room_for(item.asset, other.asset, join, _covered(name, cast))
+                and _room_for(item.asset, other, join, cast)
             ]
             if free:
                 return (min(free)[3], join)
@@ -156,9 +149,9 @@ def elsewhere(name: str, cast: Mapping[str, Cast], barred: Set[str]) -> Cast:
     return left[name] if found is None else replace(left[name], anchor=found[0], join=found[1])
 
 
-def _covered(top: str, cast: Mapping[str, Cast]) -> float:
-    """Return the square metres of a top that are taken."""
-    return sum(_footprint(one.asset) for one in cast.values() if one.anchor == top and one.join.on_top)
+def _borne(top: str, cast: Mapping[str, Cast]) -> list[Asset]:
+    """Return what is put on a top."""
+    return [one.asset for one in cast.values() if one.anchor == top and one.join.on_top]
 
 
 def _any_top(item: Cast, cast: Mapping[str, Cast]) -> tuple[str, Join] | None:
@@ -166,21 +159,29 @@ def _any_top(item: Cast, cast: Mapping[str, Cast]) -> tuple[str, Join] | None:
     if place_of(item.asset) != "object":
         return None
     best = [
-        (other.asset.size[2] > TOP_HEIGHT, not other.role.top, _covered(name, cast) - _footprint(other.asset), name)
+        (
+            other.asset.size[2] > TOP_HEIGHT,
+            not other.role.top,
+            sum(map(_footprint, _borne(name, cast))) - _footprint(other.asset),
+            name,
+        )
         for name, other in cast.items()
         if other.asset.on_floor and not other.asset.is_flat and item.name not in chain(name, cast)
     ]
     return (min(best)[-1], ON_ANY) if best else None
 
 
-def _room_for(asset: Asset, other: Asset, join: Join, covered: float) -> bool:
+def _room_for(asset: Asset, other: Cast, join: Join, cast: Mapping[str, Cast]) -> bool:
+    """Return whether a thing fits at another, or on it: before each one there or beside it, so that no bowl goes by a wide screen."""
     if not join.on_top:
-        return not other.is_flat
-    depth, width, height = other.size
+        return not other.asset.is_flat
+    (depth, width, height), there = other.asset.size, _borne(other.name, cast)
+    covered, (deep, wide, _) = sum(map(_footprint, there)), asset.size
+    free = all(deep <= depth - one.size[0] or wide <= (width - one.size[1]) / 2 for one in there)
     fits = max(asset.size[:2]) <= max(depth, width) + 0.02 and min(asset.size[:2]) <= min(depth, width) + 0.02
     alone = covered == 0.0 and height >= FILLED
     shared = alone or covered + _footprint(asset) <= TOP_SHARE * depth * width
-    return fits and height <= TOP_HEIGHT and shared
+    return fits and free and height <= TOP_HEIGHT and shared
 
 
 def chain(name: str, cast: Mapping[str, Cast]) -> list[str]:
