@@ -5,48 +5,26 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from robolayout._lazy import loader
-from robolayout.planners._types import (
-    USELESS,
-    Critic,
-    Group,
-    GroupPlanner,
-    Judgement,
-    Pictures,
-    Planner,
-    PlanRequest,
-    RoomPlanner,
-)
+from robolayout.planners._types import USELESS as USELESS
+from robolayout.planners._types import Critic as Critic
+from robolayout.planners._types import Group as Group
+from robolayout.planners._types import GroupPlanner as GroupPlanner
+from robolayout.planners._types import Judgement as Judgement
+from robolayout.planners._types import Pictures as Pictures
+from robolayout.planners._types import Planner as Planner
+from robolayout.planners._types import PlanRequest as PlanRequest
+from robolayout.planners._types import RoomPlanner as RoomPlanner
 
 if TYPE_CHECKING:
-    from robolayout.planners.file import FilePlanner
-    from robolayout.planners.model.feedback import Feedback
-    from robolayout.planners.model.judge import ModelJudge
-    from robolayout.planners.model.planner import ModelPlanner
-    from robolayout.planners.model.prompt import poses_text
-    from robolayout.planners.model.ranking import SampleScore, score_samples
-    from robolayout.planners.offline import OfflinePlanner
-    from robolayout.planners.sentence import Understanding, scene_from_sentence
+    from robolayout.planners.file import FilePlanner as FilePlanner
+    from robolayout.planners.model.feedback import Feedback as Feedback
+    from robolayout.planners.model.judge import ModelJudge as ModelJudge
+    from robolayout.planners.model.planner import ModelPlanner as ModelPlanner
+    from robolayout.planners.model.prompt import poses_text as poses_text
+    from robolayout.planners.model.ranking import SampleScore as SampleScore
+    from robolayout.planners.model.ranking import score_samples as score_samples
+    from robolayout.planners.offline import OfflinePlanner as OfflinePlanner
+    from robolayout.planners.sentence import Understanding as Understanding
+    from robolayout.planners.sentence import scene_from_sentence as scene_from_sentence
 
 __getattr__ = loader(__name__, __file__)
-
-__all__ = [
-    "USELESS",
-    "Critic",
-    "Feedback",
-    "FilePlanner",
-    "Group",
-    "GroupPlanner",
-    "Judgement",
-    "ModelJudge",
-    "ModelPlanner",
-    "OfflinePlanner",
-    "Pictures",
-    "PlanRequest",
-    "Planner",
-    "RoomPlanner",
-    "SampleScore",
-    "Understanding",
-    "poses_text",
-    "scene_from_sentence",
-    "score_samples",
-]

@@ -1,47 +1,34 @@
 """Sentences and criteria as rows: what is asked, what it asks of a scene, and whether a layout meets it."""
 
-from robolayout.words._function_words import COUNTERS, KIN, SHAPES, WATCHING
-from robolayout.words._lexicon import Lexicon, dressing, grammar
-from robolayout.words._places import COMPASS, walls_meant
-from robolayout.words._said import Link, Mention, NamedThing, Place, mentions, named, place_in, places, sides
-from robolayout.words._tokens import Measure
-from robolayout.words._ways import CROWD, visits
-from robolayout.words.demands import Demand
-from robolayout.words.ledger import AskedRow, Wishes, read_words, share_met
-from robolayout.words.reading import Reading, read_text, sized
-from robolayout.words.rooms import RoomType, RoomTypes, read_rooms
-
-__all__ = [
-    "COMPASS",
-    "COUNTERS",
-    "CROWD",
-    "KIN",
-    "SHAPES",
-    "WATCHING",
-    "AskedRow",
-    "Demand",
-    "Lexicon",
-    "Link",
-    "Measure",
-    "Mention",
-    "NamedThing",
-    "Place",
-    "Reading",
-    "RoomType",
-    "RoomTypes",
-    "Wishes",
-    "dressing",
-    "grammar",
-    "mentions",
-    "named",
-    "place_in",
-    "places",
-    "read_rooms",
-    "read_text",
-    "read_words",
-    "share_met",
-    "sides",
-    "sized",
-    "visits",
-    "walls_meant",
-]
+from robolayout.words._function_words import COUNTERS as COUNTERS
+from robolayout.words._function_words import KIN as KIN
+from robolayout.words._function_words import SHAPES as SHAPES
+from robolayout.words._function_words import WATCHING as WATCHING
+from robolayout.words._lexicon import Lexicon as Lexicon
+from robolayout.words._lexicon import dressing as dressing
+from robolayout.words._lexicon import grammar as grammar
+from robolayout.words._places import COMPASS as COMPASS
+from robolayout.words._places import walls_meant as walls_meant
+from robolayout.words._said import Link as Link
+from robolayout.words._said import Mention as Mention
+from robolayout.words._said import NamedThing as NamedThing
+from robolayout.words._said import Place as Place
+from robolayout.words._said import mentions as mentions
+from robolayout.words._said import named as named
+from robolayout.words._said import place_in as place_in
+from robolayout.words._said import places as places
+from robolayout.words._said import sides as sides
+from robolayout.words._tokens import Measure as Measure
+from robolayout.words._ways import CROWD as CROWD
+from robolayout.words._ways import visits as visits
+from robolayout.words.demands import Demand as Demand
+from robolayout.words.ledger import AskedRow as AskedRow
+from robolayout.words.ledger import Wishes as Wishes
+from robolayout.words.ledger import read_words as read_words
+from robolayout.words.ledger import share_met as share_met
+from robolayout.words.reading import Reading as Reading
+from robolayout.words.reading import read_text as read_text
+from robolayout.words.reading import sized as sized
+from robolayout.words.rooms import RoomType as RoomType
+from robolayout.words.rooms import RoomTypes as RoomTypes
+from robolayout.words.rooms import read_rooms as read_rooms
