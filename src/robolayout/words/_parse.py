@@ -177,8 +177,7 @@ class Parser(Relating):
         if many and len(last) == 1 and not last[0].several and every and chunk.value != "both":
             self.subject = self.group = many[-1:]  # "two beds parted by a curtain, each with a lamp"
         elif each and self.group and self.group[-1].several and self._ahead().kind in ("with", "rel"):
-            # "a teacher's desk and three tables, each with four chairs"
-            self.subject = self.group = [m for m in self.group if m.several]
+            self.subject = self.group = [m for m in self.group if m.several]  # "a desk and three tables, each with ..."
             self.holder, self.having = [], False
         elif several_meant and (self.before or len([*self.recent, *self.targets]) > 1):
             # "..., and both of them face it"
@@ -295,7 +294,7 @@ class Parser(Relating):
         noun, before = chunk.noun, self._previous(chunk)
         several, strange = chunk.plural or noun.words.endswith("s"), noun.kind.startswith("unknown")
         alone = not chunk.det and chunk.number is None
-        aid = small.AIDS.get(noun.words if noun.guessed and not self.group else noun.kind)
+        aid = small.AIDS.get(noun.said if noun.guessed and not self.group else noun.kind)
         held = self.group[-1:] if alone and self._ahead(-3).kind == "thing" else []
         alike = bool(held) and noun.kind == held[0].thing.noun.kind
         if self.refusing and not (self.negated and chunk.det == "the"):
