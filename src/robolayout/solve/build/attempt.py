@@ -18,7 +18,7 @@ from robolayout.solve.build.rugs import lay_rugs
 from robolayout.solve.build.said import MISSED
 from robolayout.solve.build.site import Site
 from robolayout.solve.build.sorts import alike, uncommon
-from robolayout.solve.build.taste import looks, taste
+from robolayout.solve.build.taste import keep_sight, looks, taste
 from robolayout.solve.build.wants import Want
 
 
@@ -77,6 +77,7 @@ def _put(site: Site, batch: Places, row: int) -> None:
         return
     wall = int(batch.walls[row])
     site.put(batch.cluster, batch.poses[row], batch.mode, wall if wall >= 0 else None)
+    keep_sight(site, batch.cluster.anchor)
 
 
 @dataclass(frozen=True, eq=False)

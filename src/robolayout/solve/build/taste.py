@@ -3,23 +3,31 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 
 import numpy as np
+import shapely
 from numpy.typing import NDArray
 
 from robolayout.constraints.at_window import AtWindow
 from robolayout.constraints.by_door import doorways
 from robolayout.constraints.corner import Corner
 from robolayout.scene import Room
+from robolayout.solve.build.form import corners_of
 from robolayout.solve.build.member import box_of
 from robolayout.solve.build.places import Places, targets
-from robolayout.solve.build.site import AT_WALL, NARROW, Site
+from robolayout.solve.build.site import AT_WALL, NARROW, Site, Spot
 
 Cost = NDArray[np.float64]
 
 BLOCKED_WINDOW = 5.0
 """Cost of a tall thing that hides a whole window or a board."""
+
+HIDDEN = 0.75
+"""Cost of something in between a seat and its screen."""
+
+LOW = 0.65
+"""Metres of height of what one looks over."""
 
 
 def taste(site: Site, batch: Places, weights: Mapping[str, float]) -> Cost:
@@ -139,5 +147,33 @@ def looking(site: Site, name: str, poses: NDArray[np.float64]) -> Cost:
         ahead = (dx * np.cos(turn) + dy * np.sin(turn)) / np.maximum(away, 1e-6)
         seen = -(dx * math.cos(target.yaw) + dy * math.sin(target.yaw)) / np.maximum(away, 1e-6)
         outside = np.maximum(low - away, 0.0) + np.maximum(away - high, 0.0)
-        costs.append(1.5 * (1 - ahead) + 1.5 * (1 - seen) + 2.0 * np.minimum(outside, 2.0))
+        cost = 1.5 * (1 - ahead) + 1.5 * (1 - seen) + 2.0 * np.minimum(outside, 2.0)
+        if not face.away:
+            cost += HIDDEN * _hidden(site, {site.wants[name].anchor, name}, site.spots[other], poses)
+        costs.append(cost)
     return face.weight * np.min(costs, axis=0)
+
+
+def keep_sight(site: Site, name: str) -> None:
+    """Ask that nothing is put between a seat that was placed and the screen that it looks at."""
+    face, there = site.wants[name].face, targets(site, name)
+    if site.trial or face is None or face.away or not there:
+        return
+    here, target = site.spots[name].member, site.spots[there[0]].member
+    away = math.hypot(target.x - here.x, target.y - here.y)
+    line = np.linspace((here.x, here.y), (target.x, target.y), 2 + int(away / 0.15))
+    site.floor.want(np.concatenate([line, line + np.array((0.2, 0.0)), line + np.array((0.0, 0.2))]), 1.0)
+
+
+def _hidden(site: Site, own: Collection[str | None], target: Spot, poses: NDArray[np.float64]) -> NDArray[np.bool_]:
+    """Return whether something higher than a low table stands between places and what they look at."""
+    member = target.member
+    between = [
+        corners_of(spot.member, site.size(name))
+        for name, spot in site.spots.items()
+        if name not in own and name != member.name and site.on_floor(spot.member) and site.size(name)[2] >= LOW
+    ]
+    if not between:
+        return np.zeros(len(poses), np.bool_)
+    ends = np.stack([np.broadcast_to((member.x, member.y), (len(poses), 2)), poses[:, :2]], axis=1)
+    return np.asarray(shapely.intersects(shapely.linestrings(ends), shapely.union_all(shapely.polygons(between))))
