@@ -333,6 +333,8 @@ class About(References):
         place = self._ahead().kind == "part"
         if self.target is not None and place and last and relation not in ("on", "facing"):
             told = told or (last[0].thing.category.on_object and not on_tops)  # "a laptop on the desk under the window"
+            crowd = last[0].count >= CROWD and not self.target.several
+            told = told or (relation == "front" and crowd)  # "twelve desks facing a desk in front of the board"
         to = self._ahead().noun
         if self.target is not None and to is not None and last and relation in small.STANDING:
             held = last[0].topped and not self.target.topped and not to.category.on_object

@@ -405,6 +405,8 @@ class Relating(About):
         before = self.chunks[: self.at - 1]
         ends = [i for i, chunk in enumerate(before) if chunk.kind in ("comma", "and", "stop", "colon")]
         clause = before[ends[-1] + 1 if ends else 0 :]
+        if [chunk.value for chunk in clause] in (["everybody"], ["everyone"]):
+            return True  # "everybody looks at the board"
         clause = [chunk for chunk in clause if chunk.kind != "filler"]
         if len(clause) < 2 or any(chunk.kind in ("thing", "pron") for chunk in clause):
             return False
