@@ -45,9 +45,9 @@ WAYS: tuple[Way, ...] = (
 def restored(problem: Problem, world: Floats, no_worse: Callable[[Floats], bool], trials: int) -> Floats:
     """Return poses (n, 4) with as much as possible where the program's guess has it, or where the room was built.
 
-    Everything that moved is put back at once, else half of it, and so on down to single things with what stands on them, so
-    that a row that had to give way in one place stays a row elsewhere. Then single things go back, the farthest first: whole,
-    else along one of their axes, else a part of the way.
+    Everything that moved is put back at once, else half of it, and so on down to single things with what stands on them
+    and what goes by them (a desk with its chair), so that a row that had to give way in one place stays a row elsewhere. Then
+    single things go back, the farthest first: whole, else along one of their axes, else a part of the way.
 
     At most `trials` layouts are asked about while groups are put back, and seven for each thing alone. `no_worse` says of
     poses whether they are no worse than those kept so far.
@@ -149,12 +149,22 @@ def _nearer(
 
 
 def _units(problem: Problem) -> list[list[int]]:
-    """Return the slots that may move, each with what stands on it."""
+    """Return the slots that may move, each with what stands on it and what goes by it and leads nothing."""
+    leaders: dict[int, list[int]] = {}
+    for a, b, _ in problem.pairs:
+        leaders.setdefault(a, []).append(b)
+    leading = {slot for found in leaders.values() for slot in found}
+
+    def root(slot: int) -> int:
+        while problem.parent[slot] >= 0:
+            slot = int(problem.parent[slot])
+        if slot in leading or slot not in leaders:
+            return slot
+        here = problem.start[slot, :2]
+        return min(leaders[slot], key=lambda other: (math.dist(here, problem.start[other, :2]), other))
+
     units: dict[int, list[int]] = {}
     for slot, name in enumerate(problem.names):
-        root = slot
-        while problem.parent[root] >= 0:
-            root = problem.parent[root]
         if name not in problem.pinned:
-            units.setdefault(root, []).append(slot)
+            units.setdefault(root(slot), []).append(slot)
     return [units[key] for key in sorted(units)]

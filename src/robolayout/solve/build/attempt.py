@@ -11,13 +11,13 @@ import numpy as np
 
 from robolayout.solve.build.cluster import Cluster
 from robolayout.solve.build.grid import grid_batches, in_one_row, last_cell, put_grid
-from robolayout.solve.build.member import Member
+from robolayout.solve.build.member import GridPlan, Member
 from robolayout.solve.build.overhead import hang, lay_on, overhead
 from robolayout.solve.build.places import Places, batches, close
 from robolayout.solve.build.rugs import lay_rugs
 from robolayout.solve.build.said import MISSED
 from robolayout.solve.build.site import Site
-from robolayout.solve.build.sorts import alike, uncommon
+from robolayout.solve.build.sorts import alike, given_up, uncommon
 from robolayout.solve.build.taste import keep_sight, looks, taste
 from robolayout.solve.build.wants import Want
 
@@ -67,14 +67,12 @@ Modes = Mapping[str, float]
 """Ways of standing, the best first, with what each costs."""
 
 Choice = tuple[float, Places, int]
-"""A place: its cost, the batch that it is in, and its row there."""
+GridChoice = tuple[float, GridPlan, Places, int]
+"""A place: its cost, for a grid its plan, the batch that it is in, and its row there."""
 
 
 def _put(site: Site, batch: Places, row: int) -> None:
-    """Put a cluster, or a grid of them, at one place of a batch."""
-    if batch.plan is not None:
-        put_grid(site, batch.parts, batch.plan, batch.poses[row])
-        return
+    """Put a cluster at one place of a batch."""
     wall = int(batch.walls[row])
     site.put(batch.cluster, batch.poses[row], batch.mode, wall if wall >= 0 else None)
     keep_sight(site, batch.cluster.anchor)
@@ -304,11 +302,8 @@ class BuildPass:
             choices += [(float(cost[row]), batch, int(row)) for row in best]
         return sorted(choices, key=lambda choice: choice[0])[: COSTS.checked]
 
-    def _choose(self, ranked: Sequence[Choice], many: int = 1) -> Choice:
-        """Return the first place that is exactly free and cuts nothing off, or else the one that does least harm.
-
-        What a grid of so `many` does harm is shared among them.
-        """
+    def _choose(self, ranked: Sequence[Choice]) -> Choice:
+        """Return the first place that is exactly free and cuts nothing off, or else the one that does least harm."""
         best: Choice | None = None
         rejected, left = list[Choice](), dict[float, list[str]]()
         for cost, batch, row in ranked:
@@ -324,7 +319,6 @@ class BuildPass:
                 _put(trial, batch, row)
                 lost = trial.unreached(self.lost)
                 harm = COSTS.unreached * (len(lost) - len(self.lost)) + COSTS.cut_off * trial.cut_off
-                harm /= many**0.5
                 left[cost + harm] = lost
                 rejected.append((cost, batch, row))
             if best is None or cost + harm < best[0]:
@@ -336,11 +330,18 @@ class BuildPass:
         return chosen
 
     def _split(self, cluster: Cluster, modes: Modes, weights: Mapping[str, float]) -> bool:
-        """Place a cluster that fits nowhere as a whole: floor things that can stand alone are placed on their own."""
-        out = [m.name for m in cluster.members[1:] if self._stands_alone(m.name)]
+        """Place a cluster that fits nowhere as a whole: some floor things that can stand alone are placed on their own."""
+        loose = [m for m in cluster.members[1:] if self._stands_alone(m.name)]
+        out, rest = list[str](), cluster
+        for out in given_up(loose):
+            rest = self._without_own(cluster, out)
+            if len(out) < len(loose):
+                found = self._ranked(batches(self.site, rest, modes), weights, modes)
+                if found and found[0][0] <= COSTS.much:
+                    break
         if not out:
             return False
-        self._place(self._without_own(cluster, out), modes, weights)
+        self._place(rest, modes, weights)
         self._place_alone(out)
         return True
 
@@ -368,7 +369,8 @@ class BuildPass:
 
     def _place_grid(self, clusters: Sequence[Cluster], weights: Mapping[str, float], strays: int) -> bool:
         """Put equal clusters into their best grid, so many others being left; False if none is good."""
-        few, more = list[Choice](), list[Choice]()
+        few: list[GridChoice] = []
+        more: list[GridChoice] = []
         missed = math.inf  # the least that a place misses of what is said
         told = bool(self.site.wants[clusters[0].anchor].block)
         for plan, batch in grid_batches(self.site, clusters):
@@ -390,20 +392,36 @@ class BuildPass:
             if plan.cells:
                 as_good = rows[cost[rows] < cost[rows[0]] + MISSED]
                 tried = as_good[:: math.ceil(len(as_good) / COSTS.spread)]
-            few += [(float(cost[row]), batch, int(row)) for row in tried]
+            few += [(float(cost[row]), plan, batch, int(row)) for row in tried]
             across = np.abs(np.sin(batch.poses[rows, 2])) > math.sqrt(0.5)
             turned = rows[across != across[0]][: told * COSTS.checked]  # the other way may leave a way past it
-            more += [(float(cost[row]), batch, int(row)) for row in turned]
+            more += [(float(cost[row]), plan, batch, int(row)) for row in turned]
         limit = COSTS.hopeless + (missed if told else 0.0)  # what no place meets of a block speaks against none
-        limit = limit if self.site.wants[clusters[0].anchor].shape is None else COSTS.inexact
-        before = self.lost
-        for ranked in (few, more):
-            good = sorted((choice for choice in ranked if choice[0] <= limit), key=lambda choice: choice[0])
-            if good and (best := self._choose(good, len(clusters)))[0] <= limit:
-                put = partial(_put, batch=best[1], row=best[2])
-                return self._do(_Step(put, best[0] * len(clusters) ** 0.5 + COSTS.stray * strays))
-            self.lost = before
-        return False
+        limit = limit if self.site.wants[clusters[0].anchor].shape is None else math.inf
+        best = self._best_grid(clusters, few, limit)
+        if best is None and more:
+            best = self._best_grid(clusters, more, limit)
+        if best is None:
+            return False
+        put = partial(put_grid, clusters=clusters, plan=best[1], frame=best[2].poses[best[3]])
+        return self._do(_Step(put, best[0] * len(clusters) ** 0.5 + COSTS.stray * strays))
+
+    def _best_grid(self, clusters: Sequence[Cluster], ranked: Sequence[GridChoice], limit: float) -> GridChoice | None:
+        """Return the best place of a grid, with what it costs in all; None if all cost more than a limit."""
+        best: GridChoice | None = None
+        before, tried = self.site.unreached(), 0
+        for cost, plan, batch, row in sorted(ranked, key=lambda entry: entry[0]):
+            if cost > limit or tried >= 3 * COSTS.trials or (best is not None and cost > best[0]):
+                break
+            if not self.site.fault(batch.cluster, batch.poses[row]):
+                tried += 1
+                trial = self.site.copy(trial=True)
+                put_grid(trial, clusters, plan, batch.poses[row])
+                harm = COSTS.unreached * (len(trial.unreached(before)) - len(before)) + COSTS.cut_off * trial.cut_off
+                harm /= len(clusters) ** 0.5
+                if best is None or cost + harm < best[0]:
+                    best = (cost + harm, plan, batch, row)
+        return best if best is not None and best[0] <= limit else None
 
 
 def _harm(site: Site) -> float:

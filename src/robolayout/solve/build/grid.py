@@ -55,7 +55,7 @@ def grid_batches(site: Site, clusters: Sequence[Cluster]) -> Iterator[tuple[Grid
             cluster = _cluster(clusters, plan, size)
             poses = _poses(site, cluster, _yaws(site, cluster))
             if len(poses):
-                yield plan, Places("grid", cluster, poses, np.full(len(poses), -1), plan, tuple(clusters))
+                yield plan, Places("grid", cluster, poses, np.full(len(poses), -1))
 
 
 def _shaped(site: Site, clusters: Sequence[Cluster], shape: InShape) -> Iterator[tuple[GridPlan, Places]]:
@@ -71,7 +71,7 @@ def _shaped(site: Site, clusters: Sequence[Cluster], shape: InShape) -> Iterator
         cluster = _cluster(clusters, plan, site.size(names[0]))
         poses = _poses(site, cluster, yaws)
         if len(poses):
-            yield tight, Places("grid", cluster, poses, np.full(len(poses), -1), tight, tuple(clusters))
+            yield tight, Places("grid", cluster, poses, np.full(len(poses), -1))
 
 
 def shaped_plan(site: Site, names: tuple[str, ...], shape: InShape, gap: float) -> GridPlan:

@@ -16,9 +16,9 @@ from robolayout.scene import Agent, Opening, Wall
 from robolayout.scene.agent import horizontal_reach
 from robolayout.solve.build.form import corners_of
 from robolayout.solve.build.member import Member
-from robolayout.solve.build.places import WALL_GAP, wall_yaw
+from robolayout.solve.build.places import WALL_GAP, targets, wall_yaw
 from robolayout.solve.build.site import Site, Spot
-from robolayout.solve.build.taste import looking, wished
+from robolayout.solve.build.taste import wished
 
 
 @dataclass(frozen=True)
@@ -59,7 +59,7 @@ def hang(site: Site, name: str, rng: np.random.Generator) -> None:
     for _, stretch in groupby(range(len(spots)), key=lambda i: _stretch(site, spots[i].member)):
         mine = [*stretch]  # the rows of what is said are those of one stretch of wall
         costs[mine] += site.missed([Member(name)], poses[mine])
-    costs += wished(site, name, poses[:, :2], site.wants[name].weights) + looking(site, name, poses)
+    costs += wished(site, name, poses[:, :2], site.wants[name].weights)
     spot = spots[int(np.argmin(costs + 0.2 * rng.random(len(spots))))]
     site.settle(name, spot)
     if site.standings and _juts_out(site, spot.member) > 0:
@@ -136,7 +136,7 @@ def _hang_cost(site: Site, name: str, wall: Wall, t: float) -> tuple[float, Spot
         cost += 30.0
     cost += HANGING.juts_out * _juts_out(site, member)
     cost += HANGING.out_of_reach * bool(shapely.intersects(site.outline(member), site.openings).any())
-    cost += _crowding(site, name, member) + _far(site, name, member)
+    cost += _crowding(site, name, member) + _sight(site, name, member) + _far(site, name, member)
     cost += HANGING.crowded * _used_room(site, name, member)
     return cost, Spot(member, "hang", wall.index, owner)
 
@@ -205,6 +205,19 @@ def _far(site: Site, name: str, member: Member) -> float:
     if not site.standings:
         return 0.0
     return 10.0 * (not site.serves(site.claim(Spot(member, "hang"))))
+
+
+def _sight(site: Site, name: str, member: Member) -> float:
+    """Return a cost for not being in front of what it serves (a screen before its sofa)."""
+    face = site.wants[name].face
+    costs = [0.0]
+    for other in targets(site, name) if face else ():
+        target = site.spots[other].member
+        dx, dy = member.x - target.x, member.y - target.y
+        away = max(math.hypot(dx, dy), 1e-6)
+        seen = (dx * math.cos(target.yaw) + dy * math.sin(target.yaw)) / away
+        costs.append((face.weight if face else 0.0) * (1 - seen))
+    return max(costs)
 
 
 def overhead(site: Site, names: Sequence[str]) -> None:

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from robolayout.constraints.corner import convex_corners
 from robolayout.scene import Wall
 from robolayout.solve.build.cluster import Cluster
-from robolayout.solve.build.member import GridPlan, Member, Poses
+from robolayout.solve.build.member import Member, Poses
 from robolayout.solve.build.site import AT_WALL, Site
 
 WALL_STEP = 0.1
@@ -39,8 +39,6 @@ class Places:
     cluster: Cluster  # the cluster, perhaps mirrored
     poses: Poses  # (n, 3) metres and radians, of the anchor
     walls: NDArray[np.int64]  # index of the wall of each place, or -1
-    plan: GridPlan | None = None  # how the parts of a grid stand
-    parts: tuple[Cluster, ...] = ()  # these parts
 
 
 def batches(site: Site, cluster: Cluster, modes: Iterable[str]) -> list[Places]:

@@ -29,8 +29,12 @@ SLACK = 0.015
 """Residual up to which a place counts as meeting a statement: 3 cm, or 10 degrees."""
 
 
-SaidStatement = tuple[frozenset[str], tuple[Way, ...]]
-"""What a statement is about, and the relations of each way in which it can hold."""
+@dataclass(frozen=True)
+class SaidStatement:
+    """One statement."""
+
+    names: frozenset[str]  # what it is about
+    ways: tuple[Way, ...]  # the relations of each way in which it can hold
 
 
 @dataclass(frozen=True, eq=False)
@@ -44,13 +48,13 @@ class Said:
     def of(scene: Scene, program: Program) -> Said:
         """Return the statements of a program but those that hold by the way in which places are found."""
         relations = [one.relation for one in program.statements if not _built_in(one.relation)]
-        asked = ((frozenset(one.asset_names()), one.ways(scene) or ((one,),)) for one in relations)
+        asked = (SaidStatement(frozenset(one.asset_names()), one.ways(scene) or ((one,),)) for one in relations)
         return Said(scene, tuple(asked))
 
     def about(self, names: Sequence[str]) -> list[SaidStatement]:
         """Return the statements that have to do with some assets."""
         known = set(names)
-        return [one for one in self.asked if known & one[0]]
+        return [one for one in self.asked if known & one.names]
 
     def missed(self, members: Sequence[Member], poses: Poses, placed: Mapping[str, Member]) -> Poses:
         """Return the cost (n,) of places by the statements that they miss; what is not placed yet is not asked about.
@@ -67,11 +71,11 @@ class Said:
         there = {*moving, *placed}
         first = {name: Member(name, *poses[0].tolist()) for name, poses in moving.items()}
         now = Layout({name: _pose(self.scene, member) for name, member in (first | dict(placed)).items()})
-        for names, ways in about:
-            if names <= moving.keys() and len(names) > 1:
+        for one in about:
+            if one.names <= moving.keys() and len(one.names) > 1:
                 continue
             best = np.full(len(poses), np.inf)
-            for way in ways:
+            for way in one.ways:
                 known = [part for part in way if there.issuperset(part.asset_names())]
                 terms = (term for part in known for term in part.terms(self.scene, now))
                 rows = [term for term in terms if isinstance(term, FrameTerm | MirrorTerm)]

@@ -118,11 +118,7 @@ class Site:
             if want.over and (want.asset.is_flat or want.overhead):
                 covers.setdefault(want.over[0], []).append(want.name)
         site = Site(scene, wants, floor, forms, corridor, said, clusters, covers, late=frozenset(late(wants)))
-        room, lengths = scene.room, [agent.length for agent in scene.agents if agent.length]
-        ways_in = [room.landing(door, length) for door in room.doors[:1] for length in lengths]
-        for corners in ways_in:
-            floor.landing |= floor.cells(np.array(corners))
-        site.solids += [shapely.Polygon(corners) for corners in (*map(room.landing, room.doors), *ways_in)]
+        site.solids += [shapely.Polygon(scene.room.landing(door)) for door in scene.room.doors]
         return site
 
     def copy(self, *, trial: bool = False) -> Site:

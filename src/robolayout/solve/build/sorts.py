@@ -1,14 +1,18 @@
-"""Clusters sorted before they are placed: into sets of the same make, and what keeps them from being one."""
+"""Assets sorted before they are placed: by manner of standing, into sets of the same make, and what a cluster gives up first."""
 
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from functools import reduce
 from operator import and_
 
 from robolayout.solve.build.cluster import Cluster
+from robolayout.solve.build.member import Member
 from robolayout.solve.build.site import Site
+
+SIDES = (("front",), ("left",), ("left", "front"), ("left", "right"))
+"""Sides whose things a cluster gives up, the fewest first; it is tried mirrored, too."""
 
 
 def alike(site: Site, clusters: Sequence[Cluster]) -> list[list[Cluster]]:
@@ -38,3 +42,13 @@ def uncommon(site: Site, clusters: Sequence[Cluster]) -> list[str]:
             seen[want.kind] += 1
             found += [want.name] if want.loose and seen[want.kind] > common[want.kind] else []
     return found
+
+
+def given_up(loose: Sequence[Member]) -> Iterator[list[str]]:
+    """Yield which things a cluster gives up that fits nowhere as a whole: those at some sides, at last all."""
+    for sides in SIDES:
+        names = [member.name for member in loose if member.side in sides]
+        if 0 < len(names) < len(loose):
+            yield names
+    if loose:
+        yield [member.name for member in loose]

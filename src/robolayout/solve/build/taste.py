@@ -128,11 +128,11 @@ def _nearness(site: Site, xy: NDArray[np.float64], names: Sequence[str], *, far:
 def _facing(site: Site, anchor: str, poses: NDArray[np.float64]) -> Cost:
     """Return how badly a thing, and the screen that stands on it, looks at (or away from) what it should face."""
     carried = [item.name for item in site.wants.values() if item.anchor == anchor]
-    return sum((looking(site, name, poses) for name in (anchor, *carried)), np.zeros(len(poses)))
+    return sum((_looking(site, name, anchor, poses) for name in (anchor, *carried)), np.zeros(len(poses)))
 
 
-def looking(site: Site, name: str, poses: NDArray[np.float64]) -> Cost:
-    """Return how badly a thing would face what its role faces, if it were at these places, or its anchor."""
+def _looking(site: Site, name: str, anchor: str, poses: NDArray[np.float64]) -> Cost:
+    """Return how badly a thing would face what its role faces, if its anchor were at these places."""
     face = site.wants[name].face
     names = targets(site, name)
     if face is None or not names:
@@ -149,7 +149,7 @@ def looking(site: Site, name: str, poses: NDArray[np.float64]) -> Cost:
         outside = np.maximum(low - away, 0.0) + np.maximum(away - high, 0.0)
         cost = 1.5 * (1 - ahead) + 1.5 * (1 - seen) + 2.0 * np.minimum(outside, 2.0)
         if not face.away:
-            cost += HIDDEN * _hidden(site, {site.wants[name].anchor, name}, site.spots[other], poses)
+            cost += HIDDEN * _hidden(site, {anchor, name}, site.spots[other], poses)
         costs.append(cost)
     return face.weight * np.min(costs, axis=0)
 
@@ -165,7 +165,7 @@ def keep_sight(site: Site, name: str) -> None:
     site.floor.want(np.concatenate([line, line + np.array((0.2, 0.0)), line + np.array((0.0, 0.2))]), 1.0)
 
 
-def _hidden(site: Site, own: Collection[str | None], target: Spot, poses: NDArray[np.float64]) -> NDArray[np.bool_]:
+def _hidden(site: Site, own: Collection[str], target: Spot, poses: NDArray[np.float64]) -> NDArray[np.bool_]:
     """Return whether something higher than a low table stands between places and what they look at."""
     member = target.member
     between = [
