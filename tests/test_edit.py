@@ -232,6 +232,6 @@ def test_a_room_that_becomes_a_wheelchair_users_keeps_its_order() -> None:
     result = rl.generate(room.scene, start=room.layout, agent="wheelchair")
     assert result.report.ok
     moved = away(room.layout, result.layout)
-    assert sum(moved.values()) < 1.0 and not {"tv_stand-0", "sofa-0"} & moved.keys()
+    assert sum(moved.values()) < 2.0 and not {"tv_stand-0", "sofa-0"} & moved.keys()
     around = [result.layout["dining_table-0"].seen(result.layout[f"chair-{i}"].at) for i in range(4)]
     assert {(x > 0, y > 0) for x, y in around} == {(False, False), (False, True), (True, False), (True, True)}

@@ -11,6 +11,7 @@ import numpy as np
 import shapely
 
 from robolayout.assets.obstacles import use_sides
+from robolayout.constraints.above import Above
 from robolayout.floor import rect_points
 from robolayout.scene import Agent, Opening, Wall
 from robolayout.scene.agent import horizontal_reach
@@ -157,7 +158,9 @@ def _below(site: Site, name: str, wall: Wall, t: float) -> tuple[str | None, flo
         centred = abs((span.rect[0] + span.rect[2]) / 2 - t) < HANGING.centred
         if span.name in over and centred and site.spots[span.name].wall == wall.index and span.name not in hung_over:
             return span.name, 6.0 - over.index(span.name), max(top, span.rect[3]), ahead
-    coming = (site.size(other)[2] for other in over if other not in site.spots and site.wants[other].standing)
+    asked = (part for one in site.said.about([name]) for way in one.ways for part in way if isinstance(part, Above))
+    under = (part.b.name for part in asked if part.a.name == name)
+    coming = (site.size(other)[2] for other in under if other not in site.spots and site.wants[other].standing)
     return None, 0.0, max(top, next(coming, 0.0)), ahead
 
 
