@@ -13,7 +13,7 @@ import shapely
 from robolayout.assets.obstacles import use_sides
 from robolayout.constraints.above import Above
 from robolayout.floor import rect_points
-from robolayout.scene import Agent, Opening, Wall
+from robolayout.scene import Agent, Opening, Point, Wall
 from robolayout.scene.agent import horizontal_reach
 from robolayout.solve.build.form import corners_of
 from robolayout.solve.build.member import Member
@@ -57,7 +57,8 @@ def hang(site: Site, name: str, rng: np.random.Generator) -> None:
         return
     costs, spots = np.array([cost for cost, _ in places]), [spot for _, spot in places]
     poses = np.array([(spot.member.x, spot.member.y, spot.member.yaw) for spot in spots])
-    for _, stretch in groupby(range(len(spots)), key=lambda i: _stretch(site, spots[i].member)):
+    openings = [site.room.walls[o.wall].point(o.center) for o in (*site.room.doors, *site.room.windows)]
+    for _, stretch in groupby(range(len(spots)), key=lambda i: _stretch(spots[i].member, openings)):
         mine = [*stretch]  # the rows of what is said are those of one stretch of wall
         costs[mine] += site.missed([Member(name)], poses[mine])
     costs += wished(site, name, poses[:, :2], site.wants[name].weights)
@@ -68,11 +69,10 @@ def hang(site: Site, name: str, rng: np.random.Generator) -> None:
         site.survey()
 
 
-def _stretch(site: Site, member: Member) -> tuple[float, float, tuple[bool, ...]]:
+def _stretch(member: Member, openings: Sequence[Point]) -> tuple[float, float, tuple[bool, ...]]:
     """Return what tells the stretches of walls apart: heading, height, and the side of each opening on which it is."""
-    middles = ((*site.room.walls[o.wall].point(o.center),) for o in (*site.room.doors, *site.room.windows))
     c, s = math.cos(member.yaw), math.sin(member.yaw)
-    return member.yaw, member.bottom, tuple(c * (y - member.y) > s * (x - member.x) for x, y in middles)
+    return member.yaw, member.bottom, tuple(c * (y - member.y) > s * (x - member.x) for x, y in openings)
 
 
 def _hang_offsets(site: Site, name: str, wall: Wall) -> list[float]:
