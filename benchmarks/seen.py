@@ -240,13 +240,16 @@ def _in_a_row(room: Room, names: list[str]) -> bool:
 
 
 def between(room: Room, a: str, ends: list[str]) -> bool:
-    """Return whether a thing stands between two of the others."""
+    """Return whether a thing stands between two of the others: at the line of their centres, or where one looks over it to the other."""
     for i, b in enumerate(ends):
         for c in ends[i + 1 :]:
             (bx, by, _), (cx, cy, _) = room.pose(b), room.pose(c)
             line = LineString([(bx, by), (cx, cy)])
             along = line.project(Point(*room.pose(a)[:2]))
             if line.length > 0 and 0.01 < along < line.length - 0.01 and room.outline(a).distance(line) <= 0.6:
+                return True
+            both = room.outline(b).union(room.outline(c))  # a night stand at the heads of two beds
+            if both.convex_hull.contains(room.outline(a).centroid) and not both.intersects(room.outline(a)):
                 return True
     return False
 

@@ -76,6 +76,7 @@ class InRows(Relation):
         longest = max(map(len, lines))
         even = len(lines) == (self.rows or len(lines))
         even = even and longest <= math.ceil(len(self.items) / (self.rows or min(len(lines), 2)))
+        even = even and (longest == 1 or sum(len(line) == 1 for line in lines) < 2)  # strays are no rows
         turns = [[{(k % 2 == first) == (self.backs == "facing")} for k in range(len(lines))] for first in (0, 1)]
         by_turns = self.backs == "alike" or ahead in turns[: 1 + len(lines) % 2]  # one row of three is by itself
         close, aside, aisles = self._measured(scene, seen, lines, ahead)

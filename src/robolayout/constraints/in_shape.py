@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from itertools import pairwise
+from itertools import combinations, pairwise
 
 import numpy as np
 
@@ -100,6 +100,12 @@ def shape_slots(
     right = [(x, -aside, math.pi / 2) for x in reversed(ahead)]
     left = [(x, aside, -math.pi / 2) for x in ahead]
     return [*right, *((0.0, (k - (base - 1) / 2) * step, 0.0) for k in range(base)), *left]
+
+
+def circle_across(count: int, depth: float, width: float) -> float:
+    """Return the metres between the middles of those two in the closest circle of so many things that are farthest apart."""
+    slots = shape_slots("circle", count, depth, width)
+    return max(math.dist(one[:2], two[:2]) for one, two in combinations(slots, 2))
 
 
 Fit = tuple[float, float, float, bool]

@@ -11,6 +11,7 @@ from itertools import chain
 import numpy as np
 
 from robolayout.planners._knowledge import DATA
+from robolayout.planners._roles import TOP_SHARE
 from robolayout.planners._wishes import INSTEAD, LOW, RoomWishes, head
 from robolayout.scene import Agent
 from robolayout.words import SHAPES, WATCHING, NamedThing, mentions, named, place_in, visits
@@ -98,7 +99,10 @@ class Added:
         """Return what nobody looks at where seats face another such thing, or seats: a television where the sofa faces the fireplace."""
         wishes, usual = self.wishes, [*self.room.base, *self.room.extras]
         links = [link for link in wishes.reading.parsed.links if link.relation in (*WATCHING, "mutual")]
-        pairs = [(one, link.objects) for link in links for one in link.subjects if one.sat_on]
+        on = [k for k in wishes.reading.parsed.links if k.relation == "on" and any(one.sat_on for one in k.subjects)]
+        seats_on = {thing for link in on for thing in named(link.objects)}  # a rug with armchairs, before the fireplace
+        rings = [wishes.ring(seat, rug) for k in on for seat in named(k.subjects) for rug in named(k.objects)]
+        pairs = [(m, link.objects) for link in links for m in link.subjects if m.sat_on or m.thing in seats_on]
         watched, playing = self._roles_of(to.thing for _, seen in pairs for to in mentions(seen)), wishes.playing(usual)
         faced = {one for role in playing.values() if watched & {*role.face.roles} for one in role.face.roles}
         met = (wishes.kind(one.thing) for one, seen in pairs if all([to.sat_on for to in mentions(seen)] or [not seen]))
@@ -106,8 +110,9 @@ class Added:
         seated = [
             link.objects for link in links if link.relation == "around" and any(one.sat_on for one in link.subjects)
         ]
-        if "sofa" not in self.asked and {wishes.kind(to.thing) for seen in seated for to in mentions(seen)} & {*LOW}:
-            faced |= {"sofa", *wishes.roles["sofa"].face.roles}  # all sit around a coffee table
+        low = {wishes.kind(to.thing) for seen in seated for to in mentions(seen)} & {*LOW}
+        if "sofa" not in self.asked and (low or any(rings)):
+            faced |= {"sofa", *wishes.roles["sofa"].face.roles}  # all sit around a coffee table, or on a rug
         unseen = {name for name, role in playing.items() if role.name in faced}
         return unseen | {name for name in usual if unseen & self._companions(name).keys()}
 
@@ -210,8 +215,18 @@ class Added:
         if join is None or self.wishes.kinds[name].places != ("object",):
             return most
         there = both(self.wished, self.found)
-        bearers = (there[one] for one, other in self.wishes.playing(there).items() if other.name in join.of)
-        return min(most, max(join.most * sum(bearers), 1))
+        bearers = {one: there[one] for one, other in self.wishes.playing(there).items() if other.name in join.of}
+        free = {one: count for one, count in bearers.items() if self._has_room(one, count, name)}
+        return 0 if bearers and not free else min(most, max(join.most * sum(free.values()), 1))
+
+    def _has_room(self, bearer: str, count: int, name: str) -> bool:
+        """Return whether a thing still fits on tops beside what the words put there."""
+        links = [link for link in self.wishes.reading.parsed.links if link.relation == "on"]
+        laid = (m for k in links if bearer in map(self.wishes.kind, named(k.objects)) for m in k.subjects)
+        sizes = [(self.wishes.kinds[self.wishes.kind(m.thing)].size, m.count) for m in laid]
+        (depth, width, _), (deep, wide, _) = self.wishes.kinds[bearer].size, self.wishes.kinds[name].size
+        taken = sum(size[0] * size[1] * number for size, number in sizes) / count + deep * wide
+        return not sizes or taken <= TOP_SHARE * depth * width
 
     def _roles_of(self, things: Iterable[NamedThing]) -> set[str]:
         """Return the names of the roles of things that are named."""

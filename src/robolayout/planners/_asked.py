@@ -14,10 +14,11 @@ from robolayout.constraints.between import BetweenTwo
 from robolayout.constraints.distance_constraint import DistanceConstraint
 from robolayout.constraints.in_front_of import InFrontOf
 from robolayout.constraints.in_rows import InRows
-from robolayout.constraints.in_shape import InShape
+from robolayout.constraints.in_shape import InShape, circle_across
 from robolayout.constraints.keep_clear import KeepClear
 from robolayout.constraints.near import Near
 from robolayout.constraints.next_to import NextTo
+from robolayout.constraints.under import Under
 from robolayout.planners._knowledge import ON_ANY, Join, usual_say
 from robolayout.planners._roles import Cast, chain, elsewhere
 from robolayout.program import Program
@@ -93,7 +94,7 @@ def join_as_asked(cast: Mapping[str, Cast], demands: Sequence[Demand], passage: 
     faced = {one.asset_names()[1] for one in said(demands) if one.name == "facing_pair"}
     beside = {name for name in faced & joins.keys() if joins[name][1].slot == "beside"}
     wanted = {name: join for name, join in joins.items() if name not in tops | beside} | chains
-    wanted |= _at_right_angles(wanted, demands)
+    wanted |= _at_right_angles(cast, wanted, demands)
     for name in subjects(demands) - wanted.keys():
         about = [demand for demand in demands if name in subjects([demand])]
         asset, anchor = found[name].asset, found[name].anchor
@@ -117,19 +118,26 @@ def join_as_asked(cast: Mapping[str, Cast], demands: Sequence[Demand], passage: 
     for name in [name for name in found if name not in wanted]:
         if found[name].join.slot == "around" and found[name].anchor in laid:
             found[name] = elsewhere(name, found, laid)  # that table has its own seats
+    found |= {name: found[name].alone for name in ringed(found, demands)}
     return found | dict(_off_the_wall(found, demands))
 
 
 def _at_right_angles(
-    wanted: Mapping[str, tuple[str, Join]], demands: Sequence[Demand]
+    cast: Mapping[str, Cast], wanted: Mapping[str, tuple[str, Join]], demands: Sequence[Demand]
 ) -> Iterator[tuple[str, tuple[str, Join]]]:
-    """Yield how what stands at a right angle to another one joins the table that both are around: at an end of it."""
+    """Yield how what stands at a right angle to another one joins the table that both are around, at an end of it; or a sofa's."""
+    placed = subjects(other for other in demands if not any(isinstance(one, AlignWith) for one in other.ways[0]))
     for relation in said(demands):
         if isinstance(relation, AlignWith) and relation.angle in (90.0, 270.0) and len(relation.asset_names()) == 2:
             (a, b), nowhere = relation.asset_names(), ("", None)
             table, join = wanted.get(a, nowhere)
+            tables = (one for one in cast.values() if one.role.name == "coffee table")
+            low = [one for one in tables if wanted.get(one.name, (one.anchor,))[0] in (a, b)]
             if join is not None and join.slot == "around" and wanted.get(b, nowhere)[0] == table:
                 yield a, (table, _seated("right_of", GAPS.before / 2, GAPS.before, 90.0))
+            elif low and join is None and a not in placed:
+                yield from ((low[0].name, (b, known)) for known in low[0].role.joins if cast[b].role.name in known.of)
+                yield a, (low[0].name, Join("flank", (), gap=GAPS.before, loose=True, say=usual_say("flank")))
 
 
 def _off_the_wall(cast: Mapping[str, Cast], demands: Sequence[Demand]) -> Iterator[tuple[str, Cast]]:
@@ -173,6 +181,11 @@ def formed(demands: Iterable[Demand]) -> set[str]:
     return {name for one in said(demands) if isinstance(one, InShape) for name in one.asset_names()}
 
 
+def rowed(demands: Iterable[Demand]) -> set[str]:
+    """Return what is asked to stand in rows of which no number is said."""
+    return {name for one in said(demands) if isinstance(one, InRows) and one.rows is None for name in one.asset_names()}
+
+
 def looked_at(demands: Iterable[Demand]) -> dict[str, str]:
     """Return what is asked to look at another thing, with that."""
     pairs = (one.asset_names() for one in said(demands) if one.name == "point_towards")
@@ -187,6 +200,28 @@ def lain_at(demands: Iterable[Demand]) -> dict[str, str]:
         for name in one.asset_names()[:1]:
             at.setdefault(name, set()).add(to)
     return {name: others[0] for name, (others, *more) in at.items() if others and not more}
+
+
+def ringed(cast: Mapping[str, Cast], demands: Sequence[Demand]) -> dict[str, tuple[str, InShape]]:
+    """Return seats of one kind of which no more is asked than to stand on a rug that holds a ring of them, with rug and ring.
+
+    They stand at nothing but the rug; seats of a table stand there, if that is not the one of a sofa beside the rug.
+    """
+    placed, on = subjects(demands), dict[str, list[str]]()
+    for one in said(demands):
+        if isinstance(one, Under):
+            on.setdefault(one.a.name, []).extend(item.name for item in one.items)
+    found = dict[str, tuple[str, InShape]]()
+    for rug, names in on.items():
+        free = [n for n in names if cast[n].role.in_a_ring and n not in placed]
+        at, others = {n: cast[n].anchor for n in free}, {*names}.difference(free)
+        free = [n for n in free if at[n] not in others and (cast[n].join.slot != "around" or cast[at[n]].anchor)]
+        for kind in dict.fromkeys(cast[name].asset.category for name in free):
+            ring = [name for name in free if cast[name].asset.category == kind]
+            depth, width, _ = cast[ring[0]].asset.size
+            if len(ring) > 2 and circle_across(len(ring), depth, width) <= min(cast[rug].asset.size[:2]):
+                found |= {name: (rug, InShape(tuple(map(AssetRef, ring)), "circle")) for name in ring}
+    return found
 
 
 def in_the_middle(demands: Iterable[Demand]) -> set[str]:

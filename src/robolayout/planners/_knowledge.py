@@ -102,6 +102,11 @@ class Role:
     say: Mapping[str, tuple[str, ...]] = field(default_factory=dict[str, tuple[str, ...]])
     top: bool = False  # whether small things may stand on it
 
+    @property
+    def in_a_ring(self) -> bool:
+        """Whether several of it stand in a ring where they are asked onto a rug."""
+        return self.name.endswith((*DATA["nouns"]["in_a_ring"],))
+
     def hung(self, height: float) -> float:
         """Return how high in metres the centre of a hung thing is that is so high itself; 0 lets its size decide."""
         return max(self.rim - height / 2, height / 2) if self.rim else self.height

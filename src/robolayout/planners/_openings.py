@@ -124,6 +124,8 @@ def _placed(room: Room, wishes: RoomWishes, name: str) -> Iterator[tuple[list[li
     walls = grammar().walls
     for link in wishes.reading.parsed.links:
         there = [wishes.kinds[mention.thing.noun.kind] for mention in link.subjects]
+        if name == "wall" and link.relation == "end":  # a screen at the head of a table
+            yield [_meant(room, Place("wall", ("short",)))], there
         for place in places(link.objects, name):
             known = {*COMPASS, "long", "short"} if room.doors else {*COMPASS}
             words = {walls[word] for word in place.words if walls.get(word) in known}

@@ -12,6 +12,7 @@ from robolayout._errors import SceneError
 from robolayout._reading import LIMITS
 from robolayout.assets import CATALOGUE, Category
 from robolayout.assets.palette import LOOKS
+from robolayout.constraints.in_shape import circle_across
 from robolayout.planners._knowledge import DATA, Knowledge, Role
 from robolayout.scene import FLAT_HEIGHT
 from robolayout.words import (
@@ -257,7 +258,10 @@ class RoomWishes:
         for relation, other in ((link.relation, one.thing) for link in links for one in link.subjects):
             kind, each = other.noun.kind, other.count / thing.count
             own = self.lexicon.kinds[kind].size
-            if relation == "on" and height < FLAT_HEIGHT:
+            across = self.ring(other, thing) if relation == "on" else 0.0
+            if across:
+                depth, width = max(depth, across), max(width, across)
+            elif relation == "on" and height < FLAT_HEIGHT:
                 times = math.sqrt(max(1.0, each * (max(own[:2]) + APART) ** 2 / (depth * width)))
                 depth, width = round(depth * times, 2), round(width * times, 2)
             elif relation in AT_A_LINE and thing.noun.kind.endswith("counter") and kind.endswith(SEATS):
@@ -270,6 +274,14 @@ class RoomWishes:
         seats += ENDS if sided and "end" not in sided and thing.sides == 2 else 0
         told = {*thing.adjectives} & {*grammar().sizes}  # a long table for two stays long
         return size if told and seats <= 2 else self._seating(name, size, seats)
+
+    def ring(self, seat: NamedThing, rug: NamedThing) -> float:
+        """Return the metres across a ring of seats on each rug; 0 for fewer than three, and for what stands in none."""
+        role, each = self.roles.get(seat.noun.kind), math.ceil(seat.count / rug.count)
+        if role is None or not role.in_a_ring or each < 3 or rug.category.size[2] >= FLAT_HEIGHT:
+            return 0.0
+        depth, width, _ = self.lexicon.kinds[seat.noun.kind].size
+        return round(circle_across(each, depth, width) + max(depth, width), 2)
 
     def _everyone(self, thing: NamedThing) -> int:
         """Return how many sit at the only table that is named: all who are in the room, or as many as have a chair."""

@@ -49,7 +49,9 @@ class Writer:
     def __init__(self, scene: Scene, cast: Mapping[str, Cast], words: Sequence[Demand]) -> None:
         self.scene, self.cast = scene, cast
         self.asked = asked.subjects(words)  # of these roles only wish where they stand
-        self.first = asked.needing_room(cast, words)  # before their corner or the wall for all of a row is taken
+        self.ringed, self.rowed = asked.ringed(cast, words), asked.rowed(words)
+        # before their corner, the wall for all of a row or the floor of a ring is taken
+        self.first = asked.needing_room(cast, words) | self.ringed.keys()
         self.walled, self.formed = asked.held_by_walls(words), asked.formed(words)
         self.looked, self.beside = asked.looked_at(words), asked.open_beside(words)
         self.below = asked.hung_over(scene, words)  # nothing else hangs there
@@ -77,7 +79,7 @@ class Writer:
             yield from self._joined(item)
         if not item.anchor or (item.join.loose and item.asset.on_floor):
             yield from self._standing(item)
-            yield from self._wishes(item)
+            yield from () if name in self.ringed else self._wishes(item)
         yield from self._cleared(item)
         yield from self._faced(item)
 
@@ -136,7 +138,9 @@ class Writer:
         modes, name = _modes(item), item.name
         values, say = self._values(item), item.role.say
         bound = SAYING.joined if self._leans(item) or name in self.asked else None
-        if modes[0] in ("hang", "ceiling", "rug"):
+        if name in self.ringed:
+            yield from self._in_a_ring(name)
+        elif modes[0] in ("hang", "ceiling", "rug"):
             yield from self._off_the_floor(item, modes[0])
         elif modes == ["corner"]:
             yield from self._fill(say["corner"], values, bound)
@@ -152,8 +156,17 @@ class Writer:
             if "wall" in modes:
                 few = len(self._equal(item)) < item.role.prefer.get("block", math.inf)
                 first = modes[0] == "wall" and (name not in equal or (few and len(equal) == len(self._equal(item))))
+                first = first and name not in self.rowed
                 yield from self._fill(say["wall"], values, weight if first else -weight)
             yield from self._in_rows(item, equal)
+
+    def _in_a_ring(self, name: str) -> Iterator[str]:
+        """Yield that seats stand in a ring on their rug, with the last of them; where the rug is asked into the middle, there."""
+        rug, ring = self.ringed[name]
+        if rug in self.middle:
+            yield _wish(f"centered_on({self._name(name)}, room)", SAYING.middle)
+        if ring.asset_names()[-1] == name:
+            yield _wish(f"in_shape({self._list(ring.asset_names())})", SAYING.first)
 
     @cached_property
     def _held(self) -> frozenset[str]:
@@ -203,7 +216,7 @@ class Writer:
         """Yield where a thing hangs or lies."""
         a, values, over = self._name(item.name), self._values(item), self._under(item)
         owner = self._owners.get(item.name)
-        told = item.name in self.asked
+        told = item.name in self.asked or item.name in {rug for rug, _ in self.ringed.values()}
         if told and not (mode == "rug" and owner and self.cast[owner].anchor == self.lain.get(item.name)):
             owner = None
         if owner is not None:

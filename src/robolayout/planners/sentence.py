@@ -10,6 +10,7 @@ import math
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from itertools import product
 from pathlib import Path
 
 import numpy as np
@@ -170,7 +171,8 @@ def _wished(wishes: RoomWishes) -> dict[str, int]:
     for name, count in room.person.items():
         spared = wishes.reading.only and not wishes.kinds[name].on_floor
         if people and head(name) not in heads and not spared and name not in wishes.reading.unwanted:
-            wished[_chair(wishes) if head(name) == "chair" else name] += count * people
+            own = people - wished["laptop"] * (name in ("monitor", "keyboard"))  # who has a laptop needs none
+            wished[_chair(wishes) if head(name) == "chair" else name] += count * max(own, 0)
             if wishes.seats and head(name) == "desk":
                 wished[_chair(wishes)] += count * people  # besides those at the table
     chairs = sum(n for name, n in wished.items() if head(name) == "chair")
@@ -296,6 +298,9 @@ def _blocks(wishes: RoomWishes) -> Iterator[tuple[float, float]]:
             before = any(k.relation in ("facing", "front") and thing in named(k.subjects) for k in links)
             yield wide, deep + SIZES.before * before
             yield wide * before, wide * before  # what is before it may be at any wall
+        on = product(named(link.subjects), named(link.objects)) if link.relation == "on" else ()
+        for ring in filter(None, (wishes.ring(seat, rug) for seat, rug in on)):
+            yield ring + 2 * SIZES.around, ring + 2 * SIZES.around
         for thing in named(link.subjects) if link.relation == "cleared" else ():
             depth, width, _ = wishes.kinds[wishes.kind(thing)].size
             at = [side for place in places(link.objects) for side in place.words]

@@ -32,6 +32,7 @@ class Mending:
     rings: tuple[float, float, float, float, float, float] = (0.1, 0.25, 0.45, 0.8, 1.4, 2.2)
     """Metres from where a thing was or should be at which it is tried."""
     turning: int = 2  # of these, so many where it is also turned by quarters, if nothing says where it faces
+    on_a_top: int = 5  # places along each side of a top at which what stands there is tried, as it looks and across
     same: float = 0.04
     """Metres, or parts of a unit heading vector, to which tries are rounded to find those that are there twice."""
     alike: float = 0.15  # metres, or parts of a unit heading, below which two poses are the same try
@@ -134,9 +135,13 @@ class Repair:
 
 
 def _on_its_top(problem: Problem, slot: int, poses: Floats, world: Floats) -> Floats:
-    """Return the poses (m, 4) nearest to some of a slot (m, 4) at which it lies on what carries it."""
+    """Return the poses (m, 4) nearest to some of a slot at which it lies on what carries it, and such all over that top."""
     middle, half = on_top(problem, slot, world[problem.parent[slot]])
-    local = relative(middle, poses)
+    spread = np.linspace(-1.0, 1.0, MENDING.on_a_top)
+    at = np.array([(x * half[0], y * half[1]) for x in spread for y in spread])
+    here = relative(middle, world[[slot]])[0, 2:]
+    ways = [np.column_stack([at, np.tile(way, (len(at), 1))]) for way in (here, (-here[1], here[0]))]
+    local = np.concatenate([relative(middle, poses), *ways])
     hx, hy = problem.half[slot]
     c, s = np.abs(local[:, 2:]).T
     slack = np.maximum(half - np.column_stack([c * hx + s * hy, s * hx + c * hy]), 0.0)

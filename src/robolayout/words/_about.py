@@ -341,9 +341,11 @@ class About(References):
             told = told or held  # "bottles on the shelves behind the counter"
         if self.target is not None and relation == "amid" and self._ahead().kind == "pron" and last:
             told = told or (last[0].laid and not self.target.laid)  # "tissues on a small table between them"
-        if self.target is not None and told and self.acted:
-            return [self.target]
-        if self.target is not None and self.said.last.relation == "in" and place:
+        # "a sofa and two armchairs on a rug in front of the fireplace"
+        flat = self.target is not None and self.target.thing.category.size[2] < FLAT_HEIGHT
+        flat = flat and (len(self.group) > 1 or any(one.several for one in last))
+        told = (told and self.acted) or (flat and relation in (*small.STANDING, "middle"))
+        if self.target is not None and (told or (place and self.said.last.relation == "in")):
             return [self.target]  # "toys in a box under the window"
         if relation in small.ORDERS and last and last[0].thing.count == 1:
             return list(self.group or self.subject)  # "fridge, stove and sink in a row"

@@ -87,13 +87,15 @@ class Demander(AtSides):
         found = [*self._there(relation, it), *(of_all(it) if of_all else ())]
         if relation in ways_of.TO_ANOTHER:
             found += (by_ways(self._ways(relation, a, b), a, b) for a, b in self._to_another(relation, it))
-        return (*found, *(demand for a, b in it.twos if of_two and (demand := of_two(a, b)) is not None))
+        twos = self._to_another(relation, it) if relation == "middle" else it.twos  # "in the middle of them"
+        return (*found, *(demand for a, b in twos if of_two and (demand := of_two(a, b)) is not None))
 
     def _asked(self, link: Link) -> Asked:
         """Return of which assets a link asks something."""
-        subjects = [name for mention in link.subjects for name in self._named(mention)]
+        kinds = [self._named(mention) for mention in link.subjects]
+        subjects = [name for kind in kinds for name in kind]
         others = [self._named(item) for item in mentions(link.objects)]
-        return Asked(subjects, others, places(link.objects), link.sided)
+        return Asked(subjects, others, places(link.objects), link.sided, kinds)
 
     def _named(self, mention: Mention) -> tuple[str, ...]:
         names = self.names.get(mention.thing, ())
@@ -128,16 +130,8 @@ class Demander(AtSides):
         each = [(it.subjects[0], group[0]) for group in it.groups if group]
         if len(it.subjects) == 1 and len(it.groups) > 1 and each:
             return each
-        return (replace(it, subjects=self._of_rows(it) or it.subjects) if relation in small.ENDS else it).twos
-
-    def _of_rows(self, it: Asked) -> list[str]:
-        """Return the middle one of straight rows, or of several abreast, that all look at one thing or stand before it."""
-        if len(it.subjects) < 2 or len(it.others) > 1:
-            return []
-        if len(it.subjects) > 2 and self.told.in_rows(it.subjects):
-            return [it.subjects[self.told.abreast[it.subjects[0]] // 2]]
-        middles = {self.told.middle.get(a) for a in it.subjects}
-        return [a for a in it.subjects if middles == {a}]
+        of_rows = relation in small.ENDS and len(it.others) < 2
+        return (replace(it, subjects=self.told.before(it.subjects, it.others) or it.subjects) if of_rows else it).twos
 
     def _by_twos(self, it: Asked, relation: str) -> Iterator[Demand]:
         """Yield what the second of every two is asked to be to the first; or how two rows of them are turned."""
@@ -295,7 +289,7 @@ class Demander(AtSides):
         if {*subjects} <= {*self.told.shape}:
             yield from self.told.opening(subjects, [AssetRef(b) for b in others] or self._points(it.place))
             return
-        if one := self._of_rows(it):  # the others look as it does
+        if len(others) < 2 and (one := self.told.before(subjects)):  # the others look as it does
             yield Demand((tuple(stated("align_with", AssetRef(a), AssetRef(*one)) for a in subjects if a not in one),))
             subjects = one
         elif len(subjects) >= ways_of.CROWD and 0 < len(others) < len(subjects) and alike(self.scene, subjects):

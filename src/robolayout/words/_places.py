@@ -137,6 +137,7 @@ class Asked:
     groups: Sequence[Sequence[str]] = ()  # what it stands to, by the thing that was named
     places: Sequence[Place] = ()  # the places of the room to which it leads
     sided: str = ""  # at which sides of a table: "each", "long" or "end", if that is said
+    kinds: Sequence[Sequence[str]] = ()  # what stands so, by the thing that was named
 
     @property
     def place(self) -> Place | None:
@@ -150,10 +151,14 @@ class Asked:
 
     @property
     def twos(self) -> list[tuple[str, str]]:
-        """Each subject with what it stands to: in equal shares where there are several."""
-        many, others = len(self.subjects), self.others
-        shares = (i * len(others) // many if many >= len(others) else i for i in range(many if others else 0))
-        twos = [(name, others[share]) for name, share in zip(self.subjects, shares, strict=False)]
+        """Each subject with what it stands to: in equal shares where there are several, of each kind where it has so many."""
+        others, twos = self.others, list[tuple[str, str]]()
+        kinds = [[name for name in kind if name in self.subjects] for kind in self.kinds]
+        each = others and all(kind and len(kind) % len(others) == 0 for kind in kinds)
+        for names in kinds if kinds and each else [self.subjects]:
+            many = len(names)
+            shares = (i * len(others) // many if many >= len(others) else i for i in range(many if others else 0))
+            twos += [(name, others[share]) for name, share in zip(names, shares, strict=False)]
         return [(a, b) for a, b in twos if a != b]
 
 

@@ -106,6 +106,19 @@ class ToldRows:
         count = max(self.each[names[0]], 1)
         return [names[i : i + count] for i in range(0, len(names), count)]
 
+    def before(self, names: Sequence[str], others: Sequence[str] = ()) -> list[str]:
+        """Return the middle one of straight rows, or of several abreast, that look at another thing or stand before it.
+
+        None where all of a row fit before it.
+        """
+        wide = sum(self.scene.by_name[name].size[1] for name in names)
+        if len(names) < 2 or any(wide <= self.scene.by_name[other].size[1] for other in others):
+            return []
+        if len(names) > 2 and self.in_rows(names):
+            return [names[self.abreast[names[0]] // 2]]
+        middles = {self.middle.get(name) for name in names}
+        return [name for name in names if middles == {name}]
+
     def block(self, names: Sequence[str]) -> Demand:
         """Return that such things stand in their rows, in any number of them where none is said, or in their shape."""
         if names[0] in self.shape:

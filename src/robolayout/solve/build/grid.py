@@ -64,6 +64,7 @@ def _shaped(site: Site, clusters: Sequence[Cluster], shape: InShape) -> Iterator
     wide = {"circle": (site.corridor + WIDER, ENTERED), "half circle": (ENTERED,)}.get(shape.shape, ())
     if {*names} != {*shape.asset_names()}:
         return
+    wide = wide if site.covers.keys().isdisjoint(names) else ()  # all of them are on their rug
     yaws = [yaw + shape.slots(site.scene)[names[0]].yaw for yaw in room_yaws(site)]
     for gap in (*wide, *SHAPES.gap[:1]):
         plan = shaped_plan(site, names, shape, gap)

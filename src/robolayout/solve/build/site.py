@@ -138,9 +138,12 @@ class Site:
     def missed(self, members: Sequence[Member], poses: Poses) -> Poses:
         """Return the cost (n,) of places of things in one frame by what is said and they, or what goes under or over them, miss."""
         placed = {name: spot.member for name, spot in self.spots.items()}
-        own = (
-            replace(one, name=name) for one in members for name in self.covers.get(one.name, ()) if name not in placed
-        )
+        there, own = {one.name: one for one in members}, list[Member]()
+        under = [(one, flat) for one in members for flat in self.covers.get(one.name, ()) if flat not in placed]
+        for one, flat in under:
+            amid = [there[owner] for owner in self.wants[flat].over if owner in there]
+            x, y = (sum(getattr(owner, axis) for owner in amid) / len(amid) for axis in "xy")
+            own.append(replace(one, name=flat, x=x, y=y))
         return self.said.missed([*members, *own], poses, placed)
 
     @property

@@ -10,6 +10,9 @@ from robolayout.solve.build.member import MARGIN, Member, Rect, Size, box_of, ov
 STEP = 0.04
 """Metres between the places tried on a top."""
 
+CLOSEST = 0.005
+"""Metres of a top for each thing in a line that stay free at the least."""
+
 HAND = 0.32
 """Metres from the middle of a desk to where a right hand lies beside the keyboard, for who sits before its front."""
 
@@ -49,19 +52,20 @@ class Top:
         return found
 
     def _in_line(self, items: Sequence[tuple[str, str, Member | None]]) -> dict[str, Member]:
-        """Return places side by side for several things of one kind that fit so, if the top is bare."""
-        widths = [self.sizes[name][1] for name, _, _ in items]
-        spare = 2 * self.half[1] - sum(widths)
-        deepest = max((self.sizes[name][0] for name, _, _ in items), default=0.0)
-        if len(items) < 2 or self.taken or spare < 0.03 * len(items) or deepest > 2 * self.half[0]:
-            return {}
-        y, found = -self.half[1], dict[str, Member]()
-        for (name, at, _), width in zip(items, widths, strict=True):
-            y += spare / (2 * len(items)) + width / 2
-            x, _ = self._wanted(at, 0, 2, (max(self.half[0] - self.sizes[name][0] / 2, 0.0), 0.0))
-            found[name] = Member(name, x, y, 0.0)
-            y += spare / (2 * len(items)) + width / 2
-        return found
+        """Return places side by side for several things of one kind that fit so, straight or all turned, if the top is bare."""
+        for turned in (False, True) if len(items) > 1 and not self.taken else ():
+            sizes = [self.sizes[name][1::-1] if turned else self.sizes[name][:2] for name, *_ in items]
+            spare = 2 * self.half[1] - sum(wide for _, wide in sizes)
+            if spare < CLOSEST * len(items) or max(deep for deep, _ in sizes) > 2 * self.half[0]:
+                continue
+            y, found = -self.half[1], dict[str, Member]()
+            for (name, at, _), (deep, wide) in zip(items, sizes, strict=True):
+                y += spare / (2 * len(items)) + wide / 2
+                x, _ = self._wanted(at, 0, 2, (max(self.half[0] - deep / 2, 0.0), 0.0))
+                found[name] = Member(name, x, y, math.pi / 2 if turned else 0.0)
+                y += spare / (2 * len(items)) + wide / 2
+            return found
+        return {}
 
     def _keep(self, member: Member) -> Member:
         self.on_top.append(member)
@@ -104,6 +108,8 @@ class Top:
         hx, hy = (width / 2, depth / 2) if turned else (depth / 2, width / 2)
         rx, ry = max(self.half[0] - hx, 0.0), max(self.half[1] - hy, 0.0)
         wx, wy = self._wanted(at, i, count, (rx, ry))
+        if count > 1 and ry / count < hy + MARGIN / 2:
+            wy = ry * (2 * i / (count - 1) - 1)  # from end to end: halves would leave too little room
         wx += max(0.0, hx - self.half[0])
         xs = [-rx + k * STEP for k in range(int(2 * rx / STEP) + 1)] + [wx]
         ys = [-ry + k * STEP for k in range(int(2 * ry / STEP) + 1)] + [wy]

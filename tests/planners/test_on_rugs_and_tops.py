@@ -1,0 +1,117 @@
+"""What is asked onto rugs and tops, several of a kind in rows and rings: it stands there, all of it, and looks like it."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+import shapely
+import shapely.affinity
+from tests.planners.said_rooms import made, of
+from tests.words.test_several_of_a_kind import LEXICON
+
+import robolayout as rl
+from robolayout.planners import scene_from_sentence
+from robolayout.run.result import Result
+from robolayout.words import read_text, read_words
+
+
+def foot(result: Result, name: str) -> shapely.Polygon:
+    pose, (depth, width, _) = result.layout[name], result.scene.by_name[name].size
+    box = shapely.affinity.rotate(shapely.box(-depth / 2, -width / 2, depth / 2, width / 2), pose.yaw, (0, 0), True)
+    return shapely.affinity.translate(box, pose.x, pose.y)
+
+
+@pytest.mark.parametrize(
+    ("text", "kind", "rug"),
+    [
+        ("a library with a reading rug in the middle and five floor cushions on it", "floor_cushion", "rug-0"),
+        ("a kindergarten with a round rug and twelve floor cushions on it", "floor_cushion", "round_rug-0"),
+        ("a playroom with four bean bags on a rug", "bean_bag", "rug-0"),
+    ],
+)
+def test_seats_on_a_rug_stand_in_a_ring_on_it(text: str, kind: str, rug: str) -> None:
+    result = made(text)
+    names = of(result, kind)[: {"bean_bag": 4}.get(kind)]
+    middle = shapely.MultiPoint([result.layout[name].at for name in names]).centroid
+    away = [middle.distance(shapely.Point(result.layout[name].at)) for name in names]
+    assert result.report.ok and max(away) - min(away) < 0.3
+    assert all(
+        foot(result, name).intersection(foot(result, rug)).area > 0.6 * foot(result, name).area for name in names
+    )
+
+
+def test_armchairs_on_a_rug_are_around_the_coffee_table_without_a_sofa_that_nobody_asked_for() -> None:
+    result = made("a lounge with four armchairs on a round rug by the window")
+    table = shapely.Point(result.layout["coffee_table-0"].at)
+    assert not of(result, "sofa") and result.report.ok
+    assert all(table.distance(foot(result, name)) < 1.2 for name in of(result, "armchair"))
+
+
+def test_what_follows_a_rug_with_several_on_it_is_about_the_rug() -> None:
+    links = read_text("a sofa and two armchairs on a large rug in front of the fireplace", LEXICON).parsed.links
+    assert [(link.relation, [m.thing.noun.kind for m in link.subjects]) for link in links] == [
+        ("on", ["sofa", "armchair"]),
+        ("front", ["rug"]),
+    ]
+
+
+def test_of_two_kinds_on_each_of_several_each_has_one_of_both() -> None:
+    scene, _ = scene_from_sentence("a computer lab with six desks, a monitor and a keyboard on each desk")
+    found = [one for row in read_words(scene).rows for demand in row.demands for way in demand.ways for one in way]
+    on = [one.asset_names() for one in found if one.name == "on_top_of"]
+    for desk in (f"desk-{i}" for i in range(6)):
+        assert sorted(a.rsplit("-", 1)[0] for a, b in on if b == desk) == ["keyboard", "monitor"]
+
+
+def test_all_of_a_row_that_fits_before_a_counter_are_before_it() -> None:
+    result = made("a sushi bar with a counter and eight stools lined up in front of the counter")
+    counter = result.layout["kitchen_counter-0"]
+    seen = [counter.seen(result.layout[name].at) for name in of(result, "bar_stool")]
+    assert len(seen) == 8 and all(
+        x > 0 and abs(y) < result.scene.by_name["kitchen_counter-0"].size[1] / 2 for x, y in seen
+    )
+
+
+def test_a_loveseat_at_a_right_angle_shares_the_coffee_table_that_is_in_the_middle_of_both() -> None:
+    result = made(
+        "a living room with a TV, a sofa opposite the TV, a loveseat at a right angle to the sofa "
+        "and a coffee table in the middle of them"
+    )
+    table = foot(result, "coffee_table-0")
+    turned = math.degrees(result.layout["loveseat-0"].yaw - result.layout["sofa-0"].yaw) % 180.0
+    assert turned == pytest.approx(90.0, abs=10.0) and not [row for row in result.report.asked if row.verdict != "met"]
+    assert max(table.distance(foot(result, name)) for name in ("sofa-0", "loveseat-0")) <= 0.6
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "a storage room with three shelves along the wall and six cardboard boxes on the shelves",
+        "a toy store with ten shelves in rows and three teddy bears on one of the shelves",
+        "two armchairs before a fireplace with a small side table between them, a book stack and a cup on the side table",
+    ],
+)
+def test_several_on_a_top_that_holds_them_stand_side_by_side(text: str) -> None:
+    assert made(text).report.ok
+
+
+def test_shelves_in_rows_are_rows_and_no_strays() -> None:
+    result = made("a toy store with ten shelves in rows")
+    first = result.layout["shop_shelf-0"]
+    ahead = [round(first.seen(result.layout[name].at)[0], 1) for name in of(result, "shop_shelf")]
+    assert min(ahead.count(x) for x in ahead) > 1
+
+
+def test_who_has_a_laptop_has_no_monitor_besides() -> None:
+    alone, _ = scene_from_sentence("a laptop and a mug are on the desk")
+    two, _ = scene_from_sentence("an office for two with a laptop on one of the desks")
+    kinds = [[asset.category for asset in scene.assets] for scene in (alone, two)]
+    assert [found.count("monitor") for found in kinds] == [found.count("keyboard") for found in kinds] == [0, 1]
+
+
+@pytest.mark.parametrize("seed", [0, 1, 2])
+def test_no_window_is_where_a_screen_hangs_at_the_head_of_a_table(seed: int) -> None:
+    result = rl.generate("a boardroom, 8 x 5 m, with a TV on the wall at the head of the table", seed=seed)
+    room = result.scene.room
+    assert {room.walls[one.wall].length for one in room.windows} == {8.0} and result.report.ok
