@@ -182,3 +182,40 @@ def test_a_bed_is_as_wide_as_its_mattress_size_says(text: str, least: float, mos
     scene, _ = scene_from_sentence(f"A bedroom with {text}.")
     (width,) = (asset.size[1] for asset in scene.assets if asset.category == "bed")
     assert least <= width <= most
+
+
+@pytest.mark.parametrize(
+    ("text", "chairs"),
+    [("a cafe with five tables of four chairs", 20), ("a classroom with six group tables of four chairs each", 24)],
+)
+def test_tables_of_so_many_chairs_have_them_each(text: str, chairs: int) -> None:
+    assert [thing.count for thing in read(text).parsed.things if thing.head == "chair"] == [chairs]
+
+
+@pytest.mark.parametrize(
+    ("text", "link"),
+    [
+        ("two armchairs facing each other, a side table with tissues between them", ("amid", "side table", "armchair")),
+        ("a desk with two monitors and a lamp between them", ("amid", "table lamp", "monitor")),
+        ("a table with 12 chairs around the outside of it", ("around", "chair", "dining table")),
+    ],
+)
+def test_what_has_something_on_it_stands_between_others_and_what_lies_between_what_lies_there(
+    text: str, link: tuple[str, str, str]
+) -> None:
+    found = [
+        (one.relation, a.thing.noun.kind, b.thing.noun.kind)
+        for one in read(text).parsed.links
+        for a in one.subjects
+        for b in one.objects
+        if isinstance(b, Mention)
+    ]
+    assert link in found
+
+
+def test_a_bar_with_stools_on_a_wall_is_there_itself() -> None:
+    links = read(
+        "a restaurant with tables along the windows and a bar with six stools on the opposite wall"
+    ).parsed.links
+    on = [mention.thing.noun.kind for link in links if link.relation == "on" for mention in link.subjects]
+    assert on == ["bar counter"]

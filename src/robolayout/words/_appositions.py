@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import replace
 from itertools import pairwise
 
@@ -38,7 +38,15 @@ def described(chunks: Sequence[Chunk]) -> list[Chunk]:
             for item, start, after in reversed(items):
                 found[start:after] = [item]
             found[i : first - bool(rest)] = rest
+    for i, (top, of, seats) in enumerate(zip(found, found[1:], found[2:], strict=False)):
+        if of.value == "of" and seats.number and _is(top, small.TOPS) and _is(seats, small.SEATS):
+            each = 1 if "each" in _at(found, i + 3).value.split() else top.number or 1  # "six tables of four chairs"
+            found[i + 1 : i + 3] = [replace(of, kind="with", value="with"), replace(seats, number=seats.number * each)]
     return found
+
+
+def _is(chunk: Chunk, heads: Collection[str]) -> bool:
+    return chunk.kind == "thing" and chunk.noun is not None and chunk.noun.said.split()[-1] in heads
 
 
 def _listed(chunks: Sequence[Chunk], at: int) -> list[Item]:

@@ -286,13 +286,16 @@ class Relating(About):
             before = list[Item](m for m in self.targets if m.thing is not self.holder[0].thing)
             objects = before[-1:] or objects
             laid = objects != self.holder
-        its = self._ahead(-1).kind == "pron" and named(self.holder) & named(objects)
-        laid = laid and not its  # "a chair with a lamp behind it"
-        hung = place and chunk.value in ("on", "hanging") and not place_in(objects[:1], "side")  # a TV on the wall
+        apart = [m for m in mentions(objects) if m.thing not in named(self.holder)]
+        if laid and chunk.value == "amid" and sum(m.count for m in apart) > 1:
+            objects, laid = list[Item](apart), not apart[0].topped  # "two beds, a table with a lamp between them"
+        to_it = named(self.holder) & named(objects)
+        laid = laid and not (self._ahead(-1).kind == "pron" and to_it)  # "a chair with a lamp behind it"
         low = held and not self.group[-1].topped and not self.holder[0].thing.category.on_floor
         sat = held and self.group[-1].sat_on and self.holder[0].thing.head in small.TOPS
+        hung = place and not sat and chunk.value in ("on", "hanging") and not place_in(objects[:1], "side")  # a TV
         sat = sat and (chunk.value != "opposite" or self.group[-1].thing.head not in small.LOUNGE)
-        others = [m for m in mentions(objects) if m.thing.count > 1 and m.thing not in named(self.holder)]
+        others = [m for m in apart if m.thing.count > 1]
         seated = sat and chunk.value in (*small.STANDING, "amid")
         if seated and others and self._ahead(-1).kind == "pron" and self.holder[0].thing.count == 1:
             objects = list[Item](others)  # "two shelves and a table with four chairs in front of them"
@@ -443,6 +446,5 @@ class Relating(About):
 
 def _over_or_under(relation: str, item: Item) -> bool:
     """Return whether something is a rug that things are on, or hangs from the ceiling over them."""
-    if isinstance(item, Place):
-        return False
-    return (relation == "on" and item.flat) or (relation == "under" and item.thing.places == ("ceiling",))
+    below = relation == "under" and isinstance(item, Mention) and item.thing.places == ("ceiling",)
+    return below or (relation == "on" and isinstance(item, Mention) and item.flat)
