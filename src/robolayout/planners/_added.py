@@ -101,7 +101,6 @@ class Added:
         links = [link for link in wishes.reading.parsed.links if link.relation in (*WATCHING, "mutual")]
         on = [k for k in wishes.reading.parsed.links if k.relation == "on" and any(one.sat_on for one in k.subjects)]
         seats_on = {thing for link in on for thing in named(link.objects)}  # a rug with armchairs, before the fireplace
-        rings = [wishes.ring(seat, rug) for k in on for seat in named(k.subjects) for rug in named(k.objects)]
         pairs = [(m, link.objects) for link in links for m in link.subjects if m.sat_on or m.thing in seats_on]
         watched, playing = self._roles_of(to.thing for _, seen in pairs for to in mentions(seen)), wishes.playing(usual)
         faced = {one for role in playing.values() if watched & {*role.face.roles} for one in role.face.roles}
@@ -111,7 +110,7 @@ class Added:
             link.objects for link in links if link.relation == "around" and any(one.sat_on for one in link.subjects)
         ]
         low = {wishes.kind(to.thing) for seen in seated for to in mentions(seen)} & {*LOW}
-        if "sofa" not in self.asked and (low or any(rings)):
+        if "sofa" not in self.asked and (low or wishes.rings(on)):
             faced |= {"sofa", *wishes.roles["sofa"].face.roles}  # all sit around a coffee table, or on a rug
         unseen = {name for name, role in playing.items() if role.name in faced}
         return unseen | {name for name in usual if unseen & self._companions(name).keys()}

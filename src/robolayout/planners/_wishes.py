@@ -7,6 +7,7 @@ from collections import Counter
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property, reduce
+from itertools import product
 
 from robolayout._errors import SceneError
 from robolayout._reading import LIMITS
@@ -282,6 +283,12 @@ class RoomWishes:
             return 0.0
         depth, width, _ = self.lexicon.kinds[seat.noun.kind].size
         return round(circle_across(each, depth, width) + max(depth, width), 2)
+
+    def rings(self, links: Iterable[Link]) -> list[float]:
+        """Return the metres across all rings of seats that links put on rugs."""
+        on = (link for link in links if link.relation == "on")
+        pairs = (pair for link in on for pair in product(named(link.subjects), named(link.objects)))
+        return [across for seat, rug in pairs if (across := self.ring(seat, rug))]
 
     def _everyone(self, thing: NamedThing) -> int:
         """Return how many sit at the only table that is named: all who are in the room, or as many as have a chair."""

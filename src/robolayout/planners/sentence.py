@@ -10,7 +10,6 @@ import math
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from itertools import product
 from pathlib import Path
 
 import numpy as np
@@ -298,8 +297,7 @@ def _blocks(wishes: RoomWishes) -> Iterator[tuple[float, float]]:
             before = any(k.relation in ("facing", "front") and thing in named(k.subjects) for k in links)
             yield wide, deep + SIZES.before * before
             yield wide * before, wide * before  # what is before it may be at any wall
-        on = product(named(link.subjects), named(link.objects)) if link.relation == "on" else ()
-        for ring in filter(None, (wishes.ring(seat, rug) for seat, rug in on)):
+        for ring in wishes.rings([link]):
             yield ring + 2 * SIZES.around, ring + 2 * SIZES.around
         for thing in named(link.subjects) if link.relation == "cleared" else ():
             depth, width, _ = wishes.kinds[wishes.kind(thing)].size

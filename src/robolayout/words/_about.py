@@ -342,7 +342,7 @@ class About(References):
         if self.target is not None and relation == "amid" and self._ahead().kind == "pron" and last:
             told = told or (last[0].laid and not self.target.laid)  # "tissues on a small table between them"
         # "a sofa and two armchairs on a rug in front of the fireplace"
-        flat = self.target is not None and self.target.thing.category.size[2] < FLAT_HEIGHT
+        flat = self.target is not None and self.target.flat
         flat = flat and (len(self.group) > 1 or any(one.several for one in last))
         told = (told and self.acted) or (flat and relation in (*small.STANDING, "middle"))
         if self.target is not None and (told or (place and self.said.last.relation == "in")):
