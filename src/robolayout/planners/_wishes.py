@@ -165,8 +165,8 @@ class RoomWishes:
 
     def placed(self, thing: NamedThing) -> bool:
         """Return whether a thing is asked to be at a place of the room."""
-        led = (item for link in self.reading.parsed.links if thing in named(link.subjects) for item in link.objects)
-        return any(isinstance(item, Place) for item in led)
+        links = (k for k in self.reading.parsed.links if thing in named(k.subjects) and k.relation != "cleared")
+        return any(isinstance(item, Place) for link in links for item in link.objects)
 
     @property
     def general(self) -> frozenset[str]:

@@ -368,6 +368,7 @@ class About(References):
         to = next((c for c in self.chunks[self.at :] if c.kind not in ("filler", "style")), Chunk("", 0, 0))
         again = to.kind == "pron" or any(thing.same(to) for thing in (*earlier, last))
         ends = to.kind in ("", "and", "comma", "stop")  # "a bed, a desk beneath"
+        again = again or (ends and last.noun.kind == "night stand")
         whole = len(self.group) == len(self.said.things)  # "a bed and a night stand on each side"
         again = again or (ends and (relation in small.NEARNESS or (whole and relation in ("flank", "behind"))))
         begun = next(i for i, c in enumerate(self.chunks) if c.end == last.spans[-1][1])

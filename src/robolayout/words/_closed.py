@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
+from itertools import takewhile
 
 from robolayout.words import _function_words as small
 from robolayout.words._chunk import MARKS
@@ -32,7 +33,14 @@ class ClosedWords:
         self.measured = {
             next((i for i, w in enumerate(words) if w.end > measure.start), len(words)): measure for measure in found
         }
-        self.after = {i: sum(1 for w in words if w.start < m.end) for i, m in self.measured.items()}
+        within = {
+            i: takewhile(lambda w, m=m: m.start < w.end and w.start < m.end, words[i:])
+            for i, m in self.measured.items()
+        }
+        self.after = {i: i + sum(1 for _ in inner) for i, inner in within.items()}
+        meant = {i: word.measure for i, word in enumerate(words) if word.measure is not None}
+        self.measured |= meant
+        self.after |= {i: i + 1 for i in meant}
 
     def _word(self, i: int) -> str:
         """Return the word at a place, "" outside of the text."""

@@ -91,14 +91,15 @@ def _settle_by_others(link: Link) -> None:
     """Take tables between lounge seats for low ones, stools at counters for high ones, what parts or is looked at for screens."""
     to = [item.thing for item in mentions(link.objects)]
     heads, amid, around = {thing.head for thing in to}, link.relation == "amid", link.relation == "around"
-    for thing in (mention.thing for mention in link.subjects if to):
+    sat_on = link.relation in (*small.ORDERS, "facing")  # "eight cushions in two rows facing an altar"
+    for thing in (mention.thing for mention in link.subjects if to or sat_on):
         if amid and heads <= small.LOUNGE and thing.noun.kind in small.TABLES and thing.noun.said != "dining table":
             _take(thing, "coffee table" if "sofa" in heads else "side table")
         elif thing.noun.said == "small table" and thing.noun.others and link.relation in (*small.AT_SIDES, "front"):
             _take(thing, "coffee table" if link.relation == "front" and heads <= small.LOUNGE else "side table")
         elif thing.noun.words == "stool" and any(other.noun.kind.endswith(small.HIGH) for other in to):
             _take(thing, "bar stool")
-        elif thing.noun.kind == "cushion" and (heads <= {"rug"} or (around and heads & small.TOPS)):
+        elif thing.noun.kind == "cushion" and (sat_on or heads <= {"rug"} or (around and heads & small.TOPS)):
             _take(thing, "floor cushion")
         elif thing.noun.kind == "curtain" and (amid or around):
             _take(thing, "privacy screen")

@@ -283,19 +283,23 @@ class AtPlaces:
                 return
             yield from ((stated("zone", ref, half),) for half in halves_meant(self.room, place))
 
-    def _cleared(self, subjects: Sequence[str], side: str, metres: float) -> Iterator[Demand]:
-        """Yield that so much floor is free at a side of things: no thing stands there, and no wall."""
+    def _cleared(self, subjects: Sequence[str], place: str, metres: float) -> Iterator[Demand]:
+        """Yield that so much floor, or what the body needs, is free at one of some sides of things: no thing stands there, and no wall."""
+        free = metres or round(2 * self.scene.agents[0].radius, 2)
         for a in (a for a in subjects if self._asset(a).on_floor):
-            half = self._asset(a).size[side in ("left", "right")] / 2
-            yield single(stated("keep_clear", AssetRef(a), side, metres))
-            ways: list[Way] = []
-            for wall in self.room.walls:  # at its back
-                x, y = wall.normal
-                to = {"front": (x, y), "left": (-y, x), "back": (-x, -y), "right": (y, -x)}[side]
-                ahead = [one for one in self.room.walls if _opposed(one.normal, to)]
-                far = (stated("distance_constraint", AssetRef(a), WallRef(w.index), half + metres) for w in ahead)
-                ways.append((stated("align_with", AssetRef(a), WallRef(wall.index), 90.0), *far))
-            yield Demand(tuple(ways))
+            sides = place.split(" or ")
+            yield single(*(stated("keep_clear", AssetRef(a), side, free) for side in sides))
+            yield Demand(tuple(way for side in sides for way in self._off_walls(a, side, free)))
+
+    def _off_walls(self, a: str, side: str, metres: float) -> Iterator[Way]:
+        """Yield the ways in which a side of a thing, which stands at a wall or free, is so far from the wall that it looks at."""
+        half = self._asset(a).size[side in ("left", "right")] / 2
+        for wall in self.room.walls:  # at its back
+            x, y = wall.normal
+            to = {"front": (x, y), "left": (-y, x), "back": (-x, -y), "right": (y, -x)}[side]
+            ahead = [one for one in self.room.walls if _opposed(one.normal, to)]
+            far = (stated("distance_constraint", AssetRef(a), WallRef(w.index), round(half + metres, 3)) for w in ahead)
+            yield (stated("align_with", AssetRef(a), WallRef(wall.index), 90.0), *far)
 
     def _too_many(self, subjects: Sequence[str], place: Place, *, on: bool, under: bool) -> bool:
         """Return whether things do not all have room under windows, or tables before those that they are along."""

@@ -240,6 +240,8 @@ class References(Spoken):
             self.contrast = (small.OTHER_SIDE[relation], of)
         elif side != relation:
             of = []
+        if not of and all(mention.thing.noun.kind == "night stand" for mention in self.about):
+            of = self._last_of(small.SLEPT_ON, named(self.about))  # "a bed, a desk, one night stand on the right"
         return of or [Place("side", (relation,))]
 
     def _far_apart(self, chunk: Chunk) -> bool:

@@ -129,6 +129,9 @@ class Relating(About):
             else:
                 break
         things = tuple(mentions(found)) if chunk.value == "light" else ()
+        self.group = (
+            self._ahead().kind == "rel" and mentions(found[-1:])
+        ) or self.group  # "a way to the desk by the bed"
         named = {"light": "lit"}.get(chunk.value, chunk.value)
         self.said.links.append(Link(named, things, () if things else tuple(found), chunk.start, chunk.end))
         return True
@@ -142,8 +145,8 @@ class Relating(About):
             return
         if self._of_people() or self._of_what_is_unknown():
             self._objects(chunk)
-            if self._ahead(-1).kind == "rel" and self._ahead(-2).kind == "function":
-                self._understood(chunk)  # "an aisle down the middle"
+            led = (self._ahead(-1).kind, self._ahead(-2).kind) == ("rel", "function")
+            self._understood(*[chunk] * led)  # "an aisle down the middle"
             return
         every = self._ahead(-2).value in small.EVERY
         subjects = self._subjects(chunk.value)
@@ -181,10 +184,9 @@ class Relating(About):
         ends = self._ahead().kind in ("", "stop") and [thing.head for thing in self.said.things] == ["pew"]
         if chunk.value != "flank" or not benches or not (ends or self._ahead().value == "aisle"):
             return self._at_both_sides(chunk)
-        if {"each", "either"} & {*chunk.adjectives}:
-            benches[0].number = 2 * benches[0].count
-        width = (MIDDLE_AISLE, math.inf)
-        self.said.links.append(Link("columns", tuple(self.group[-1:]), (), chunk.start, chunk.end, width, rows=2))
+        benches[0].number = benches[0].count * 2 if {"each", "either"} & {*chunk.adjectives} else benches[0].number
+        on, width = tuple(self.group[-1:]), (MIDDLE_AISLE, math.inf)
+        self.said.links.append(Link("columns", on, (), chunk.start, chunk.end, width, rows=2))
         return True
 
     def _one_for_each_pair(self, between: Sequence[Mention], pairs: int) -> None:
@@ -290,7 +292,7 @@ class Relating(About):
         if laid and chunk.value == "amid" and sum(m.count for m in apart) > 1:
             objects, laid = list[Item](apart), not apart[0].topped  # "two beds, a table with a lamp between them"
         to_it = named(self.holder) & named(objects)
-        laid = laid and not (self._ahead(-1).kind == "pron" and to_it)  # "a chair with a lamp behind it"
+        laid = laid and not (to_it and chunk.det != "its")  # "a chair with a lamp behind it"
         low = held and not self.group[-1].topped and not self.holder[0].thing.category.on_floor
         sat = held and self.group[-1].sat_on and self.holder[0].thing.head in small.TOPS
         hung = place and not sat and chunk.value in ("on", "hanging") and not place_in(objects[:1], "side")  # a TV
@@ -383,9 +385,7 @@ class Relating(About):
     def _in_an_aid(self, how: str) -> bool:
         """Note the body of "a person in a wheelchair", "an elderly person with a walker", "accessible by wheelchair"."""
         following, who = self._ahead(), self._ahead(-2)
-        moved = (how == "by" and not following.det) or (
-            how == "in" and not self.group
-        )  # "two people, one in a wheelchair"
+        moved = (how == "by" and not following.det) or (how == "in" and not self.group)  # "one in a wheelchair"
         moved |= how in ("in", "with") and (who.kind in ("people", "body") or who.value in small.WALKING)
         if following.noun is None or following.noun.kind not in small.AIDS or not moved:
             return False
@@ -408,8 +408,8 @@ class Relating(About):
         before = self.chunks[: self.at - 1]
         ends = [i for i, chunk in enumerate(before) if chunk.kind in ("comma", "and", "stop", "colon")]
         clause = before[ends[-1] + 1 if ends else 0 :]
-        if [chunk.value for chunk in clause] in (["everybody"], ["everyone"]):
-            return True  # "everybody looks at the board"
+        if [chunk.value for chunk in clause] in (["everybody"], ["everyone"]) or self._ahead(-2).value == "everything":
+            return True  # "everybody looks at the board", "everything along one wall"
         clause = [chunk for chunk in clause if chunk.kind != "filler"]
         if len(clause) < 2 or any(chunk.kind in ("thing", "pron") for chunk in clause):
             return False

@@ -159,6 +159,7 @@ class Token:
     text: str  # in lower case, without apostrophes
     start: int  # first character in the text
     end: int  # character after the last one
+    measure: Measure | None = None  # the length that it stands for, where the text has no figure
 
 
 def tokens(text: str) -> list[Token]:

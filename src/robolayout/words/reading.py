@@ -11,13 +11,14 @@ from robolayout._errors import SceneError
 from robolayout.assets import Category
 from robolayout.assets.palette import STYLED, WOODS
 from robolayout.words import _function_words as small
+from robolayout.words._access import where_bodies_get
 from robolayout.words._appositions import described
 from robolayout.words._chunk import Chunk
 from robolayout.words._chunks import Chunker
 from robolayout.words._kinds import settle_kinds
 from robolayout.words._lexicon import Lexicon, grammar
 from robolayout.words._parse import Parser
-from robolayout.words._said import NamedThing, Parsed, place_in, places
+from robolayout.words._said import Link, NamedThing, Parsed, mentions, place_in, places
 from robolayout.words._tokens import Measure, Size, Token, count_of, measures, tokens
 
 LONGEST = 4000
@@ -169,7 +170,7 @@ def read_text(text: str, lexicon: Lexicon) -> Reading:
         SceneError: Its figures make no sense.
     """
     read = text[:LONGEST]
-    words = _said_besides(tokens(read))
+    words = _said_besides(where_bodies_get(tokens(read)))
     chunks = described(Chunker(words, measures(read), lexicon).chunks())
     named = _place_named(chunks, words)
     if named is not None:
@@ -195,6 +196,7 @@ def read_text(text: str, lexicon: Lexicon) -> Reading:
     counts += [small.BORN[c.value] for c in people if c.value in small.BORN] + [parsed.people]
     young = "child_6" in bodies or len(siblings) > 1 or any(c.value in small.YOUNG for c in people)
     settle_kinds(parsed)
+    _two_at_each(parsed.links)
     number = _shared_out(parsed.things, bounded(counts[0], "people"))
     seats = number or next((thing.people * thing.count for thing in parsed.things if thing.people), 0)
     for thing in parsed.things:
@@ -224,6 +226,15 @@ def _for_children(facts: list[Chunk]) -> None:
     for young, room in ((small.SIBLINGS | {"child_6", "toddler"}, "children's room"), ({"baby", "infant"}, "nursery")):
         alone = bool(words) and young.issuperset(words)
         facts[:] = [replace(c, value=room) if alone and (c.kind, c.value) == ("room", "bedroom") else c for c in facts]
+
+
+def _two_at_each(links: Sequence[Link]) -> None:
+    """Settle how many stools several tables have where no number is said: "three high tables with stools"."""
+    for link in links:
+        several = [table.count for table in mentions(link.objects) if table.several and link.relation == "with"]
+        for thing in (one.thing for one in link.subjects if several and one.thing.head == "stool"):
+            if thing.plural and thing.number is None and thing.times == 1:
+                thing.number = 2 * several[0]
 
 
 def _shared_out(things: Sequence[NamedThing], number: int) -> int:

@@ -1,0 +1,98 @@
+"""Where bodies get, said as the parser knows it: "a wheelchair can reach both sides of the bed" asks for free floor there."""
+
+from __future__ import annotations
+
+import re
+from bisect import bisect_left
+from collections.abc import Iterator, Sequence
+from itertools import accumulate
+
+from robolayout.words._tokens import Measure, Token
+
+METRES = {"WIDTH": 0.0, "TURNING": 1.5}
+"""Metres of free floor by the word of a rule: as much as the body needs to pass (0), or a wheelchair to turn round (ISO 21542)."""
+
+_MUST = r"(?:can|could|must|should|has to|have to|needs to)"
+_PARTS = {
+    "ABLE": rf"(?:{_MUST}(?: be able to)?|(?:is|are) able to)(?: (?:easily|always|still|also|safely))?",
+    "BE": rf"(?:(?:is|are|stays?|remains?|{_MUST} be) (?:easily |always |still )?)?(?:reachable|reached|accessible|accessed)",
+    "GO": r"(?:get|walk|drive|roll|move|go|come|pass|travel)(?: (?:freely|easily|straight|directly|right|over|up|all the way))*",
+    "THING": r"ONE (?!door|window)(?:(?!of|from|to|in|on|and|with|is|are|can)\w+ ){0,3}?\w+",
+    "SIDES": r"(?:both|each|either|all) sides?|(?:the|its) (?:left|right)(?: (?:hand )?side)?",
+    "LENGTH": r"(?:\d[\d.]*|one|two|three|four|five) (?:m|cm|mm|met(?:re|er)s?|centimet(?:re|er)s?|feet|foot|ft|inch|inches)",
+    "LEAVE": r"(?:leav(?:e|ing)|keep(?:ing)?|allow(?:ing)?|provid(?:e|ing)|needs?)(?: (?:me|at least|about|around|the|some|enough))*",
+    "FREE": r"(?:free|clear|open|empty|unobstructed)",
+    "SPACE": r"(?:space|room|floor|area)",
+    "ENOUGH": r"(?:enough|plenty of|sufficient|adequate|some)",
+    "WHO": r"for (?:a|the|my|his|her|their) (?:\w+ )?\w+",
+    "WORDS": r"(?:\w+ ){0,2}?\w+(?: (?:straight|directly))?",
+    "END": r"(?= (?:[.,;:!?\n]|and|so)(?: |$)|$)",
+}  # fmt: skip
+_PARTS["AT"] = (
+    rf"(?:in front of|behind|around|beside|alongside|next to|at the foot of|(?:on|at|to) (?:{_PARTS['SIDES']}) of)"
+    r"(?= ONE (?!door|window)| it\b| them\b)"
+)
+_PARTS["ONE"] = r"(?:the|each|every|my|his|her|their|both|all|its)"
+_GETS = "ABLE (?:reach|access|approach|use|GO to)"
+_ROOM = "(?:ENOUGH )?(?:FREE )?SPACE"
+_TURN = "turning (?:circle|space|area)"
+_SAID = {
+    rf"{_GETS} (SIDES) of": "can ; WIDTH of free space on {1} of",
+    rf"{_GETS} (THING) from (SIDES)": "can ; WIDTH of free space on {2} of {1}",
+    "BE from (SIDES)": "with WIDTH of free space on {1}",
+    "ABLE GO (from (?:the|my) WORDS) to": "can ; a way {1} to",
+    "ABLE GO (around|behind)(?= THING)": "can ; WIDTH of free space {1}",
+    "ABLE turn(?: a?round)? (AT)": "can ; TURNING of free space {1}",
+    f"{_GETS}(?= ONE )": "can ; a way to",
+    "ABLE (?:reach|touch) from(?= THING)": "near",
+    "ABLE (?:see|watch) ((?:the|my) WORDS) from ((?:the|my) WORDS)": "can ; {2} faces {1}",
+    "((?:the|my) (?:door|window|entrance)) (?:is|must be|should be) (?:visible|seen) from ((?:the|my) WORDS)": "; {2} faces {1}",
+    "leaving(?= (?:at least |about |around )?LENGTH between )": "with",
+    "(?:that|which) (?:is|are) (?:reachable|accessible|usable) (?:by|to|for|with)(?= (?:a|an|the|my) )": "for",
+    "(THING) BE from(?= the door)": "; a way to {1} from",
+    "(THING) BE(?: (?:by|to|for|with)(?= (?:a|an|the|my) )|END)": "; a way to {1} ; for",
+    "LEAVE (LENGTH)(?: (?:of|clearance|FREE|SPACE))* (AT THING)(?: FREE)?END": "; {1} of free space {2}",
+    "LEAVE SPACE (AT THING) FREEEND": "; WIDTH of free space {1}",
+    rf"{_ROOM} to turn(?: a?round)? (AT)": "TURNING of free space {1}",
+    rf"{_ROOM} to (?:GO|stand|transfer|park)(?: \w+)? (AT)": "WIDTH of free space {1}",
+    rf"{_ROOM} (WHO) (AT)": "{1} , WIDTH of free space {2}",
+    "(?:ENOUGH (?:FREE )?|FREE )SPACE (AT)": "WIDTH of free space {1}",
+    rf"(?:an? )?(LENGTH) (?:wide )?{_TURN} (AT)": "{1} of free space {2}",
+    rf"(?:an? )?{_TURN} of (LENGTH) (AT)": "{1} of free space {2}",
+    rf"(?:an? |the )?{_TURN} (AT)": "TURNING of free space {1}",
+    "(; a way [^.;]*?) and to(?= ONE )": "{1} and",
+    "(; a way [^.;,]*?) ,(?= ONE (?:[^.;]+ , ONE )*[^.;,]+ and ONE )": "{1} and",
+}
+"""Phrases, and what is said in their place; groups stay as they are."""
+
+
+def _compiled(phrase: str) -> re.Pattern[str]:
+    for name, part in _PARTS.items():
+        phrase = phrase.replace(name, part)
+    return re.compile(rf"(?<!\S)(?<!of ){phrase}(?!\S)")
+
+
+_RULES = tuple((_compiled(phrase), said.split()) for phrase, said in _SAID.items())
+
+
+def where_bodies_get(words: list[Token]) -> list[Token]:
+    """Return the words of a text with what says where bodies get as the parser knows it, each in the place of what it stands for."""
+    for rule, said in _RULES:
+        starts = [0, *accumulate(len(word.text) + 1 for word in words)]
+        for match in reversed([*rule.finditer(" ".join(word.text for word in words))]):
+            spans = [slice(*(bisect_left(starts, at) for at in span)) for span in match.regs if span[0] >= 0]
+            words = [*words[: spans[0].start], *_put(said, words, spans), *words[spans[0].stop :]]
+    return words
+
+
+def _put(said: Sequence[str], words: Sequence[Token], spans: Sequence[slice]) -> Iterator[Token]:
+    """Yield what is said instead of a phrase, whose groups are at some places among the words."""
+    at, end = words[spans[0].start].start, words[spans[0].stop - 1].end
+    free = "free" in said  # beside figures, which are found by their places
+    for word in said:
+        if word.startswith("{"):
+            yield from words[spans[int(word[1])]]
+            at = words[spans[int(word[1])].stop - 1].end if free else at
+        else:
+            meant = Measure("length", (METRES[word],), at, at) if word in METRES else None
+            yield Token(word.lower(), at, at if free else end, meant)
