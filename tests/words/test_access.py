@@ -107,3 +107,23 @@ def test_measures_in_a_kitchen_of_a_name_are_of_what_they_are_said_of() -> None:
     sizes = {thing.noun.words: [size.values for size in thing.sizes] for thing in reading.parsed.things}
     assert sizes["dining table"] == [(1.2,)]
     assert sizes["fridge"] == [(2.0,)]
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("The wardrobe doors can open without hitting the bed.", [("cleared", ["wardrobe", "front"])]),
+        ("A kitchen where the doors of the fridge can open fully.", [("cleared", ["fridge", "front"])]),
+        ("Two people can get out of bed on both sides.", [("cleared", ["bed", "left", "right"])]),
+    ],
+)
+def test_what_has_to_open_has_free_floor_before_it(text: str, said: list[tuple[str, list[str]]]) -> None:
+    assert asked(text) == said
+
+
+def test_without_doing_something_to_a_thing_refuses_no_thing() -> None:
+    for text in ("A bedroom with a wardrobe that opens without hitting the bed.", "A room without moving the table."):
+        reading = read_text(text, LEXICON)
+        assert not reading.parsed.refused
+        assert not {thing.noun.kind for thing in reading.parsed.things} & {"bed", "dining table"}
+        assert any("without" in reading.span(missed.start, missed.end) for missed in reading.parsed.missed)

@@ -219,3 +219,78 @@ def test_a_bar_with_stools_on_a_wall_is_there_itself() -> None:
     ).parsed.links
     on = [mention.thing.noun.kind for link in links if link.relation == "on" for mention in link.subjects]
     assert on == ["bar counter"]
+
+
+@pytest.mark.parametrize(
+    ("text", "subject", "relation", "to"),
+    [
+        ("books on a shelf above the desk", "wall shelf", "above", "desk"),
+        ("tools on a pegboard above the workbench", "pegboard", "above", "workbench"),
+        ("a sofa facing the fireplace with the TV above the fireplace", "television", "above", "fireplace"),
+        ("a desk with a lamp on the left of the desk", "floor lamp", "left", "desk"),
+        ("a bed, a desk and one nightstand on the right", "night stand", "right", "bed"),
+        ("a rug centered under the dining table", "rug", "under", "dining table"),
+        ("an L-shaped sofa with a floor lamp at its end", "floor lamp", "end", "sectional sofa"),
+    ],
+)
+def test_what_stands_to_what(text: str, subject: str, relation: str, to: str) -> None:
+    links = read(text).parsed.links
+    found = [
+        (k.subjects[0].thing.noun.kind, k.relation, [o.thing.noun.kind for o in k.objects if isinstance(o, Mention)])
+        for k in links
+        if k.subjects
+    ]
+    assert (subject, relation, [to]) in found
+    assert not [k for k in links if k.relation == "with" and k.subjects[0].thing.noun.kind == subject]
+
+
+def test_the_other_side_of_a_door_is_of_the_door() -> None:
+    links = read("a wardrobe to the left of the door and a mirror to the right of it").parsed.links
+    assert [(k.relation, [o.name for o in k.objects if isinstance(o, Place)]) for k in links] == [
+        ("left", ["door"]),
+        ("right", ["door"]),
+    ]
+
+
+def test_metres_from_several_places_are_from_each() -> None:
+    scene, _ = scene_from_sentence("A nursery with a crib at least 1 m away from the window and the radiator")
+    (row,) = [row for row in read_words(scene).rows if row.kind == "relation"]
+    assert "radiator-0" in row.things
+    assert len(row.demands) == 1 + len(scene.room.windows)
+
+
+@pytest.mark.parametrize(
+    ("text", "counts"),
+    [
+        (
+            "three workbenches, each with a stool in front and a lamp above",
+            {"workbench": 3, "stool": 3, "wall lamp": 3},
+        ),
+        ("a cafe with three high tables with stools", {"bar table": 3, "bar stool": 6}),
+        ("two single beds pushed together to make a double bed", {"single bed": 2}),
+        ("a kitchen with a breakfast bar and three stools", {"kitchen island": 1, "bar stool": 3}),
+        ("A breakfast bar with three stools overlooking the living room", {"kitchen island": 1, "bar stool": 3}),
+        ("a meditation room with eight cushions in two rows", {"floor cushion": 8}),
+        ("a litter box in the corner", {"litter box": 1}),
+    ],
+)
+def test_how_many_of_what(text: str, counts: dict[str, int]) -> None:
+    assert {thing.noun.kind: thing.count for thing in read(text).parsed.things} == counts
+
+
+def test_windows_are_beside_what_is_asked_between_them_at_a_wall() -> None:
+    scene, _ = scene_from_sentence("A bedroom with a bed on the north wall between two windows")
+    (north,) = (wall.index for wall in scene.room.walls if wall.normal[1] < -0.9)
+    assert [window.wall for window in scene.room.windows] == [north, north]
+
+
+def test_ages_say_who_the_room_is_for() -> None:
+    for text in ("a bedroom for a girl aged 7", "a bedroom for my son, age 9"):
+        scene, _ = scene_from_sentence(text)
+        assert [agent.name for agent in scene.agents] == ["child_6"]
+        assert not [asset.name for asset in scene.assets if "girl" in asset.name or "aged" in asset.name]
+
+
+def test_a_room_by_a_name_with_room_is_that_room() -> None:
+    assert read("a kindergarten room with four round tables").room == "kindergarten"
+    assert read("a U of desks in an office room").room == "office"

@@ -10,7 +10,7 @@ import numpy as np
 from robolayout.assets import Category
 from robolayout.planners._wishes import RoomWishes
 from robolayout.scene import Opening, Room
-from robolayout.words import COMPASS, Place, Reading, grammar, places, sides, walls_meant
+from robolayout.words import COMPASS, Place, Reading, grammar, named, places, sides, walls_meant
 
 
 @dataclass(frozen=True)
@@ -86,7 +86,8 @@ def with_openings(
     taken |= high if len(taken | high) < len(order) else set[int]()
     free = [i for i in order if i not in taken]
     asked, amid = _wanted(wishes.reading, "window", more, OPENINGS.most_windows), _amid(wishes.reading)
-    free = [d.wall for d in doors] if "door" in amid else free[:1] if amid else free
+    at = _at_a_wall(room, wishes.reading)
+    free = [d.wall for d in doors] if "door" in amid else (at or free)[:1] if amid else free
     return replace(room, windows=tuple(_windows(room, free, asked, rng, spread=bool(amid))))
 
 
@@ -117,6 +118,19 @@ def _amid(reading: Reading) -> set[str]:
     amid = [link.objects for link in reading.parsed.links if link.relation == "amid"]
     names = ([item.name if isinstance(item, Place) else "" for item in objects] for objects in amid)
     return next(({*found} for found in names if "window" in found and {*found} <= {"window", "door"}), set())
+
+
+def _at_a_wall(room: Room, reading: Reading) -> list[int]:
+    """Return the walls at which something is asked to be that is between windows: "a bed on the north wall between two windows"."""
+    links = reading.parsed.links
+    amid = {
+        thing
+        for link in links
+        if link.relation == "amid" and places(link.objects, "window")
+        for thing in named(link.subjects)
+    }
+    told = (at for link in links if amid & named(link.subjects) for at in places(link.objects, "wall") if at.words)
+    return [wall for place in told for wall in _meant(room, place)]
 
 
 def _placed(room: Room, wishes: RoomWishes, name: str) -> Iterator[tuple[list[list[int]], list[Category]]]:

@@ -35,7 +35,7 @@ class About(References):
             two = chunk.value in ("amid", "between", "separates") and len(found) < 2
             many = item.several if isinstance(item, Mention) else item.plural
             wants = two and (self._ahead().value == "from" or not (many or pronoun))
-            both = chunk.value in ("amid", "by", "facing", "far", "under", "around", "near", "next", "on", "seen")
+            both = chunk.value in small.TO_SEVERAL
             both = both or (isinstance(item, Mention) and item.det == "both")
             if not (wants or (both and self._plain_pair(found, chunk))):
                 break
@@ -48,6 +48,9 @@ class About(References):
     def _object(self, chunk: Chunk) -> Item | None:
         """Return the thing or place at the head of what follows, and go past it."""
         following = self._ahead()
+        if (following.value, chunk.value) == ("it", self.contrast[0]) and place_in(self.contrast[1]):
+            self.at += 1
+            return self.contrast[1][0]  # "a wardrobe to the left of the door and a mirror to the right of it"
         if following.kind == "thing":
             self.at += 1
             members = self._members(following)
@@ -336,9 +339,9 @@ class About(References):
             crowd = last[0].count >= CROWD and not self.target.several
             told = told or (relation == "front" and crowd)  # "twelve desks facing a desk in front of the board"
         to = self._ahead().noun
-        if self.target is not None and to is not None and last and relation in small.STANDING:
-            held = last[0].topped and not self.target.topped and not to.category.on_object
-            told = told or held  # "bottles on the shelves behind the counter"
+        if self.target is not None and to is not None and last and relation in small.STANDING:  # "jars on shelves by"
+            told = told or (last[0].topped and not (self.target.topped or to.category.on_object))
+        told = told or (relation == "above" and hung)  # "books on a shelf above the desk"
         if self.target is not None and relation == "amid" and self._ahead().kind == "pron" and last:
             told = told or (last[0].laid and not self.target.laid)  # "tissues on a small table between them"
         # "a sofa and two armchairs on a rug in front of the fireplace"

@@ -12,7 +12,7 @@ from dataclasses import replace
 from itertools import pairwise
 
 from robolayout.words import _function_words as small
-from robolayout.words._chunk import MARKS, ROWS, SOME, Chunk, without_noun
+from robolayout.words._chunk import MARKS, Chunk, without_noun
 from robolayout.words._closed import ClosedWords, heaped
 from robolayout.words._lexicon import LONGEST, Noun
 from robolayout.words._tokens import VAGUE, count_of
@@ -112,6 +112,7 @@ class Chunker(ClosedWords):
         if word in ("seat", "seats", "seating") and count_of(following):
             return Chunk("people", at, at + 2, "people", number=count_of(following))
         role = word == "as" and following in ("a", "an", "the") and before not in ("well", "such", "same", "wall")
+        role = role or (f"{before} {word}" in small.SERVING and (following in ("a", "an") or following == "one"))
         named = self._noun_phrase(at + 1) if role or word in small.SELLING else None
         return Chunk("filler", at, named.end, word) if named else None
 
@@ -139,6 +140,13 @@ class Chunker(ClosedWords):
             if kind in ("and", "alone", "not") or (kind == "pron" and size > 1 and phrase != "the two"):
                 return Chunk(kind, at, at + size, phrase)
         word = self.words[at]
+        if (
+            word == "without"
+            and self._word(at + 1).endswith("ing")
+            and not self.lexicon.noun(self.words[at + 1 : at + 2])
+        ):
+            what = self._noun_phrase(at + 2)  # "without hitting the bed"
+            return Chunk("other", at, what.end if what else at + 2, word)
         if word == "nothing" or (word in small.REFUSING and not self._bound(at)[0]):
             return Chunk("not", at, at + 1, word)
         if word in small.WITH:
@@ -214,42 +222,6 @@ class Chunker(ClosedWords):
             unit = rest[:1] in (["of"], ["x"]) or (rest[:1] in (["pcs"], ["pc"], ["nos"]) and bool(self._run(i + 2)))
             return ("", count, "vague" if word in VAGUE else "", 0, 1 + unit)
         return None
-
-    def _some_of(self, word: str, rest: list[str]) -> tuple[str, int | None, str, int, int] | None:
-        """Return the same of what says which share of several is meant: "half of", "every other", "all but one of"."""
-        here = " ".join((word, *rest, ""))
-        share = next((name for name in small.SHARES if here.startswith(f"{name} of ")), "")
-        if share or (word == "half" and rest[:1] == ["the"]):
-            return (share or word, None, "", 0, len(share.split()) + 1)
-        if word == "every" and rest[:1] in (["other"], ["second"]):
-            return ("half", None, "", 0, 2)
-        but = count_of(rest[1]) if word == "all" and rest[:1] == ["but"] and rest[1:] else None
-        return ("one", -but, "", 0, 3 + (rest[2:3] == ["of"])) if but else None
-
-    def _of(self, word: str, rest: list[str], number: int | None) -> tuple[str, int | None, str, int, int] | None:
-        """Return the same of what ends in "of": "two rows of", "each one of", "a pair of"."""
-        count = count_of(word)
-        each, grouped = count_of((*rest[2:], "")[0]), rest[0].removesuffix("s")
-        if rest[0] in ("rows", "row", "columns", "column") and count:
-            rows = (each or SOME) if rest[0].startswith("column") else count
-            return ("", count * each if each else None, "", rows, 4 if each else 3)
-        if count and each and grouped in (*small.SETS, *small.GROUPS):
-            return ("", count * each, "", -each * (grouped in small.GROUPS), 4)  # "six groups of four desks"
-        if count and count > 1 and grouped in small.GROUPS and rest[1:2] == ["of"]:
-            return ("", count * ROWS, "vague", -ROWS, 3)  # "four groups of armchairs"
-        if word in ("each", "every") and rest[0] in ("one", "of"):
-            return ("each", None, "", 0, 3 if rest[0] == "one" else 2)
-        if rest[0] != "of":
-            return None
-        each = count_of((*rest[1:], "")[0])
-        if each and word.endswith("s") and word.removesuffix("s") in small.GROUPS:
-            return ("", 2 * each, "vague", -each, 3)  # "clusters of four desks"
-        if word.removesuffix("s") in small.SETS and not (word == "wall" and rest[1:2] and rest[1] in small.DETERMINERS):
-            twos = 2 * (number or 1) if word.startswith(("pair", "couple")) else None
-            return ("", twos, "", SOME if word == "rows" and number is None else 0, 2)
-        if word in ("both", "all"):
-            return ("all", None, "", 0, 2)
-        return ("one", count, "", 0, 2) if count and {*rest[1:2]} & {"the", "these", "those", "his", "her"} else None
 
     def _run(self, i: int, *, many: bool = False) -> list[str]:
         """Return the words from here up to the next one that cannot be part of a noun phrase."""
@@ -400,7 +372,7 @@ class Chunker(ClosedWords):
             return "room", self.lexicon.room_words[phrase], None
         if phrase in self.grammar.functions:
             return "function", phrase, None
-        part = tail[-1].removesuffix("s") in small.AREA_NOUNS
+        part = tail[-1].removesuffix("s") in small.AREA_NOUNS or tail[-1] == "group"
         done = " ".join(tail[:-1]) if part else phrase.removesuffix("space")
         if done != phrase and done in small.DONE_THERE:
             return "corner", small.DONE_THERE[done], None

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from itertools import takewhile
 
 from robolayout.words import _function_words as small
-from robolayout.words._chunk import MARKS
+from robolayout.words._chunk import MARKS, ROWS, SOME
 from robolayout.words._lexicon import LONGEST, Lexicon, grammar
 from robolayout.words._tokens import Measure, Token, count_of
 
@@ -140,3 +140,39 @@ class ClosedWords:
             return self.words.index(")", end) + 1 - end, count
         ends = self._word(end + 2) or "."
         return (2, count) if rest[0].isdecimal() and ends in MARKS else (0, number)
+
+    def _some_of(self, word: str, rest: list[str]) -> tuple[str, int | None, str, int, int] | None:
+        """Return the same of what says which share of several is meant: "half of", "every other", "all but one of"."""
+        here = " ".join((word, *rest, ""))
+        share = next((name for name in small.SHARES if here.startswith(f"{name} of ")), "")
+        if share or (word == "half" and rest[:1] == ["the"]):
+            return (share or word, None, "", 0, len(share.split()) + 1)
+        if word == "every" and rest[:1] in (["other"], ["second"]):
+            return ("half", None, "", 0, 2)
+        but = count_of(rest[1]) if word == "all" and rest[:1] == ["but"] and rest[1:] else None
+        return ("one", -but, "", 0, 3 + (rest[2:3] == ["of"])) if but else None
+
+    def _of(self, word: str, rest: list[str], number: int | None) -> tuple[str, int | None, str, int, int] | None:
+        """Return the same of what ends in "of": "two rows of", "each one of", "a pair of"."""
+        count = count_of(word)
+        each, grouped = count_of((*rest[2:], "")[0]), rest[0].removesuffix("s")
+        if rest[0] in ("rows", "row", "columns", "column") and count:
+            rows = (each or SOME) if rest[0].startswith("column") else count
+            return ("", count * each if each else None, "", rows, 4 if each else 3)
+        if count and each and grouped in (*small.SETS, *small.GROUPS):
+            return ("", count * each, "", -each * (grouped in small.GROUPS), 4)  # "six groups of four desks"
+        if count and count > 1 and grouped in small.GROUPS and rest[1:2] == ["of"]:
+            return ("", count * ROWS, "vague", -ROWS, 3)  # "four groups of armchairs"
+        if word in ("each", "every") and rest[0] in ("one", "of"):
+            return ("each", None, "", 0, 3 if rest[0] == "one" else 2)
+        if rest[0] != "of":
+            return None
+        each = count_of((*rest[1:], "")[0])
+        if each and word.endswith("s") and word.removesuffix("s") in small.GROUPS:
+            return ("", 2 * each, "vague", -each, 3)  # "clusters of four desks"
+        if word.removesuffix("s") in small.SETS and not (word == "wall" and rest[1:2] and rest[1] in small.DETERMINERS):
+            twos = 2 * (number or 1) if word.startswith(("pair", "couple")) else None
+            return ("", twos, "", SOME if word == "rows" and number is None else 0, 2)
+        if word in ("both", "all"):
+            return ("all", None, "", 0, 2)
+        return ("one", count, "", 0, 2) if count and {*rest[1:2]} & {"the", "these", "those", "his", "her"} else None

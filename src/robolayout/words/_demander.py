@@ -6,7 +6,7 @@ import math
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
-from itertools import pairwise
+from itertools import pairwise, product
 
 from robolayout.constraints import AssetRef, PointRef, WallRef
 from robolayout.constraints.between import BetweenTwo
@@ -189,12 +189,13 @@ class Demander(AtSides):
         if by_themselves and len(it.subjects) >= ways_of.CROWD and alike(self.scene, it.subjects):
             yield in_rows(it.subjects, None, gap=metres[0], aisle=metres[0])
             return
-        for a, b in it.twos if it.groups or it.place else pairwise(it.subjects):
+        twos = [two for group in it.groups for two in replace(it, groups=[group]).twos]
+        for a, b in pairwise(it.subjects) if by_themselves else twos:
             yield self._gap(a, (AssetRef(b),), *metres)
-        for a in it.subjects:
-            walls = it.place is not None and it.place.name == "wall" and walls_meant(self.room, it.place)
-            to = [WallRef(wall.index) for wall in walls] if walls else self._points(it.place)
-            every = metres[1] == math.inf or (it.place is not None and it.place.det == "all")
+        for a, place in product(it.subjects, it.places):
+            walls = place.name == "wall" and walls_meant(self.room, place)
+            to = [WallRef(wall.index) for wall in walls] if walls else self._points(place)
+            every = metres[1] == math.inf or place.det == "all"
             for ends in [(end,) for end in to] if every else [tuple(to)] * bool(to):
                 yield self._gap(a, ends, *metres)
 

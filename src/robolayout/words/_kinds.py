@@ -113,15 +113,19 @@ def _settle_by_place(link: Link) -> None:
     """Take what hangs, stands or lies where a relation puts it for a kind that can be there."""
     to = mentions(link.objects)
     lit = [m for m in to if link.relation == "under" and m.thing.noun.said in small.LIGHTS]
-    place = "ceiling" if lit else _where(link)
-    for thing in (mention.thing for mention in lit or link.subjects):
+    sat = all(m.sat_on or m.thing.head in (*small.TOPS, *small.SLEPT_ON) for m in link.subjects)
+    over = [
+        m for m in to if link.relation == "under" and m.thing.noun.said == "shelf" and sat
+    ]  # "a desk under a shelf"
+    place = "ceiling" if lit else "wall" if over else _where(link)
+    for thing in (mention.thing for mention in lit or over or link.subjects):
         noun = thing.noun
         for bearer in (mention.thing for mention in to):
             own = phrase_index().get(f"{noun.said} stand", ())[:1]
             if link.relation == "on" and bearer.noun.said == "stand" and own:
                 bearer.noun = replace(bearer.noun, words=own[0], kind=own[0], guessed="")
         stands = thing.category.on_floor and noun.said not in (*small.LIGHTS, "screen")
-        if place == "wall" and link.relation != "above" and stands:
+        if place == "wall" and link.relation not in ("above", "under") and stands:
             continue
         fits = [kind.name for kind in noun.categories if place in kind.places]
         if not fits and link.relation == "above":  # "a shelf above the desk" hangs on the wall behind it

@@ -117,7 +117,8 @@ class Lexicon:
         if scene is not None:
             self.there = {word: category_of(asset).name for asset in scene.assets for word in words_for(asset)}
         self.kinds: Mapping[str, Category] = {**CATALOGUE, **{thing.name: thing for thing in own}}
-        self.room_words = {plain(word): name for name, room in rooms.rooms.items() for word in room.words}
+        named = {plain(word): name for name, room in rooms.rooms.items() for word in room.words}
+        self.room_words = {f"{word} room": name for word, name in named.items() if not word.endswith("room")} | named
         self.bodies = {plain(word): name for word, name in rooms.agents.items()}
 
     def noun(self, words: Sequence[str]) -> Noun | None:

@@ -356,7 +356,7 @@ class Parser(Relating):
     def _also_each(self, chunk: Chunk) -> bool:
         """Read what else each has, after what stands at it: "each table has a board on it and two chairs"."""
         joined = self._ahead(-2).kind == "and" and chunk.det != "the"
-        own = joined and self.acted and (self._ahead().kind != "rel" or self._ahead(1).kind == "pron")
+        own = joined and self.acted and (self._ahead().kind != "rel" or self._ahead(1).kind in small.ALONE_AFTER)
         if not (own and self.every and all(mention.thing.times == self.every[1] > 1 for mention in self.acted)):
             return False
         self.at -= 1

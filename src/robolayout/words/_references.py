@@ -328,7 +328,8 @@ class References(Spoken):
         objects = self._at_middle(chunk, subjects, led)
         if objects:  # "a bed with a lamp on either side": the lamps are not on the bed
             own, to = named(subjects), named(objects)
-            elsewhere = chunk.value in ("on", "flank") or self.aside
+            over = chunk.value == "above" and not any(mention.laid for mention in mentions(objects))
+            elsewhere = chunk.value in ("on", "flank") or self.aside or over
             self.said.links[:] = [k for k in self.said.links if not k.had(own, None if elsewhere else to)]
         low, high = chunk.measure.values if chunk.measure else (0.0, 0.0)
         about = (tuple(subjects), tuple(objects))
@@ -362,7 +363,7 @@ class References(Spoken):
         """Return whether "and the ..." goes on with the same relation."""
         following = self.chunks[self.at : self.at + 3]
         kinds = [chunk.kind for chunk in following]
-        lists = chunk.value == "far"  # "away from the door, the window and the radiator"
+        lists = chunk.value in ("far", "apart")  # "away from the door, the window and the radiator"
         if kinds[:1] not in (["and"], ["comma"] * lists) or kinds[1:2] not in (["thing"], ["part"]):
             return False
         other, bare = following[1], ("", None, False)  # "the sofa and coffee table"
@@ -371,7 +372,7 @@ class References(Spoken):
         ends = {"stop", "comma", "with", *["and"] * lists, *["verb"] * (chunk.value == "amid" and len(found) < 2)}
         last, part = found[-1], lists or kinds[1] == "part"
         if isinstance(last, Place):
-            meant = part and last.name in ("window", "door") and chunk.value in ("far", "by", "near", "next")
+            meant = part and last.name in ("window", "door") and (lists or chunk.value in ("by", "near", "next"))
         else:
             meant = part or chunk.value != "by"
         return meant and (kinds[2:] or ["stop"])[0] in ends

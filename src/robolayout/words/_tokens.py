@@ -173,7 +173,7 @@ def tokens(text: str) -> list[Token]:
 
 
 def _counted(words: list[Token]) -> list[Token]:
-    """Return the words of a text with numbers of several words in one: "half a dozen", "two dozen", "a family of four", "seating ten"."""
+    """Return the words of a text with numbers of several words in one: "half a dozen", "a family of four", "seating ten"."""
     found, at = list[Token](), 0
     while at < len(words):
         text = [word.text for word in words[at : at + 4]] + [""] * 4
@@ -191,15 +191,23 @@ def _counted(words: list[Token]) -> list[Token]:
             more = (2, [_SPELT[first].split()[0], "seater"])  # "a 3 seat sofa"
         elif text[0] == "/":  # "sofa/armchair/lamp", but "a sofa/bed"
             more = (1, ["and"] if len(found) < 2 or found[-2].text not in ("a", "an", "the", "one", "/") else [])
-        elif first and text[1:3] == ["year", "old"]:  # "for a six-year-old", "for a 70-year-old woman"
-            alone = not text[3].isalpha() or text[3] in AFTER_AN_AGE
-            more = (3, ["child" if first <= GROWN else "teenager" if first < ADULT else "person"] * alone)
-        elif text[0] in CHILDREN and text[1] == "of" and (count_of(text[2]) or GROWN + 1) <= GROWN:
-            more = (3, [text[0]])
+        elif (aged := _aged(text)) is not None:
+            more = aged
         start, end = words[at].start, words[at + more[0] - 1].end
         found += [Token(word, start, end) for word in more[1]]
         at += more[0]
     return found
+
+
+def _aged(text: list[str]) -> tuple[int, list[str]] | None:
+    """Return how many of some words say how old somebody is, and who is: "six-year-old", "a boy of six", "aged 9"; None if none do."""
+    first, second, third = (count_of(word) or 0 for word in text[:3])
+    if first and text[1:3] == ["year", "old"]:  # "for a six-year-old", "for a 70-year-old woman"
+        alone = not text[3].isalpha() or text[3] in AFTER_AN_AGE
+        return 3, ["child" if first <= GROWN else "teenager" if first < ADULT else "person"] * alone
+    if text[0] in ("age", "aged") and 0 < second < ADULT:  # "for my son, aged 9"
+        return 2, [",", "child" if second <= GROWN else "teenager", ","]
+    return (3, [text[0]]) if text[0] in CHILDREN and text[1] == "of" and 0 < third <= GROWN else None
 
 
 def measures(text: str) -> list[Measure]:

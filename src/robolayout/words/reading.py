@@ -11,13 +11,13 @@ from robolayout._errors import SceneError
 from robolayout.assets import Category
 from robolayout.assets.palette import STYLED, WOODS
 from robolayout.words import _function_words as small
-from robolayout.words._access import where_bodies_get
 from robolayout.words._appositions import described
 from robolayout.words._chunk import Chunk
 from robolayout.words._chunks import Chunker
 from robolayout.words._kinds import settle_kinds
 from robolayout.words._lexicon import Lexicon, grammar
 from robolayout.words._parse import Parser
+from robolayout.words._reworded import reworded
 from robolayout.words._said import Link, NamedThing, Parsed, mentions, place_in, places
 from robolayout.words._tokens import Measure, Size, Token, count_of, measures, tokens
 
@@ -170,7 +170,7 @@ def read_text(text: str, lexicon: Lexicon) -> Reading:
         SceneError: Its figures make no sense.
     """
     read = text[:LONGEST]
-    words = _said_besides(where_bodies_get(tokens(read)))
+    words = _said_besides(reworded(tokens(read)))
     chunks = described(Chunker(words, measures(read), lexicon).chunks())
     named = _place_named(chunks, words)
     if named is not None:
@@ -302,6 +302,8 @@ def _place_named(chunks: Sequence[Chunk], words: Sequence[Token]) -> tuple[int, 
             return None
         later = [before.kind for before, c in pairwise(chunks[i:]) if c.kind == "room" and c.value != "room"]
         if {*later} - {"with"}:  # not "a break room with a kitchenette"
+            if chunk.noun is not None and chunk.noun.said == said and not chunk.noun.guessed:
+                return None  # "a breakfast bar with stools overlooking the living room"
             return i, Chunk("function", chunk.start, chunk.end, last)
         return i, Chunk("room", chunk.start, chunk.end, places.get(last, "room"), adjectives=chunk.adjectives)
     return None

@@ -1,4 +1,4 @@
-"""Where bodies get, said as the parser knows it: "a wheelchair can reach both sides of the bed" asks for free floor there."""
+"""Phrases in words that the parser knows: "a wheelchair can reach both sides of the bed" asks for free floor there."""
 
 from __future__ import annotations
 
@@ -14,6 +14,7 @@ METRES = {"WIDTH": 0.0, "TURNING": 1.5}
 
 _MUST = r"(?:can|could|must|should|has to|have to|needs to)"
 _PARTS = {
+    "OPENS": r"ABLE (?:be opened|open)(?: (?:fully|freely|completely|wide))*(?: without \w+ing(?: into)? (?:the|my) \w+)?",
     "ABLE": rf"(?:{_MUST}(?: be able to)?|(?:is|are) able to)(?: (?:easily|always|still|also|safely))?",
     "BE": rf"(?:(?:is|are|stays?|remains?|{_MUST} be) (?:easily |always |still )?)?(?:reachable|reached|accessible|accessed)",
     "GO": r"(?:get|walk|drive|roll|move|go|come|pass|travel)(?: (?:freely|easily|straight|directly|right|over|up|all the way))*",
@@ -39,6 +40,7 @@ _TURN = "turning (?:circle|space|area)"
 _SAID = {
     rf"{_GETS} (SIDES) of": "can ; WIDTH of free space on {1} of",
     rf"{_GETS} (THING) from (SIDES)": "can ; WIDTH of free space on {2} of {1}",
+    "ABLE get (?:in and )?out of (?:the )?bed (?:on|from|at) (SIDES)": "can ; WIDTH of free space on {1} of the bed",
     "BE from (SIDES)": "with WIDTH of free space on {1}",
     "ABLE GO (from (?:the|my) WORDS) to": "can ; a way {1} to",
     "ABLE GO (around|behind)(?= THING)": "can ; WIDTH of free space {1}",
@@ -52,6 +54,8 @@ _SAID = {
     "(THING) BE from(?= the door)": "; a way to {1} from",
     "(THING) BE(?: (?:by|to|for|with)(?= (?:a|an|the|my) )|END)": "; a way to {1} ; for",
     "LEAVE (LENGTH)(?: (?:of|clearance|FREE|SPACE))* (AT THING)(?: FREE)?END": "; {1} of free space {2}",
+    "(ONE WORDS) (?:doors?|drawers) OPENS": "; WIDTH of free space in front of {1}",
+    "(?:the )?(?:doors?|drawers) of (THING) OPENS": "; WIDTH of free space in front of {1}",
     "LEAVE SPACE (AT THING) FREEEND": "; WIDTH of free space {1}",
     rf"{_ROOM} to turn(?: a?round)? (AT)": "TURNING of free space {1}",
     rf"{_ROOM} to (?:GO|stand|transfer|park)(?: \w+)? (AT)": "WIDTH of free space {1}",
@@ -60,6 +64,7 @@ _SAID = {
     rf"(?:an? )?(LENGTH) (?:wide )?{_TURN} (AT)": "{1} of free space {2}",
     rf"(?:an? )?{_TURN} of (LENGTH) (AT)": "{1} of free space {2}",
     rf"(?:an? |the )?{_TURN} (AT)": "TURNING of free space {1}",
+    "(in an? (?:u|horseshoe|semicircle|half circle)(?: shape| formation)?) open(?:ing)?(?: up)? (?:to|towards?)": "{1} facing",
     "(; a way [^.;]*?) and to(?= ONE )": "{1} and",
     "(; a way [^.;,]*?) ,(?= ONE (?:[^.;]+ , ONE )*[^.;,]+ and ONE )": "{1} and",
 }
@@ -72,27 +77,29 @@ def _compiled(phrase: str) -> re.Pattern[str]:
     return re.compile(rf"(?<!\S)(?<!of ){phrase}(?!\S)")
 
 
-_RULES = tuple((_compiled(phrase), said.split()) for phrase, said in _SAID.items())
+_RULES = tuple((_compiled(phrase), said.split(), "LENGTH" in phrase) for phrase, said in _SAID.items())
 
 
-def where_bodies_get(words: list[Token]) -> list[Token]:
+def reworded(words: list[Token]) -> list[Token]:
     """Return the words of a text with what says where bodies get as the parser knows it, each in the place of what it stands for."""
-    for rule, said in _RULES:
+    for rule, said, figures in _RULES:
         starts = [0, *accumulate(len(word.text) + 1 for word in words)]
         for match in reversed([*rule.finditer(" ".join(word.text for word in words))]):
             spans = [slice(*(bisect_left(starts, at) for at in span)) for span in match.regs if span[0] >= 0]
-            words = [*words[: spans[0].start], *_put(said, words, spans), *words[spans[0].stop :]]
+            words = [*words[: spans[0].start], *_put(said, words, spans, figures=figures), *words[spans[0].stop :]]
     return words
 
 
-def _put(said: Sequence[str], words: Sequence[Token], spans: Sequence[slice]) -> Iterator[Token]:
-    """Yield what is said instead of a phrase, whose groups are at some places among the words."""
+def _put(said: Sequence[str], words: Sequence[Token], spans: Sequence[slice], *, figures: bool) -> Iterator[Token]:
+    """Yield what is said instead of a phrase whose groups are at some places among the words.
+
+    It stands for the whole phrase; where that has `figures`, which are found by their places, for nothing of it.
+    """
     at, end = words[spans[0].start].start, words[spans[0].stop - 1].end
-    free = "free" in said  # beside figures, which are found by their places
     for word in said:
         if word.startswith("{"):
             yield from words[spans[int(word[1])]]
-            at = words[spans[int(word[1])].stop - 1].end if free else at
+            at = words[spans[int(word[1])].stop - 1].end if figures else at
         else:
             meant = Measure("length", (METRES[word],), at, at) if word in METRES else None
-            yield Token(word.lower(), at, at if free else end, meant)
+            yield Token(word.lower(), at, at if figures else end, meant)
