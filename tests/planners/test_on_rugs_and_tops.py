@@ -115,3 +115,34 @@ def test_no_window_is_where_a_screen_hangs_at_the_head_of_a_table(seed: int) -> 
     result = rl.generate("a boardroom, 8 x 5 m, with a TV on the wall at the head of the table", seed=seed)
     room = result.scene.room
     assert {room.walls[one.wall].length for one in room.windows} == {8.0} and result.report.ok
+
+
+def test_a_coffee_table_in_the_middle_of_the_room_keeps_its_sofa_before_it() -> None:
+    run = rl.generate("A living room with a sofa and a coffee table in the middle of the room", seed=0)
+    sofa, table = run.layout["sofa-0"], run.layout["coffee_table-0"]
+    dx, dy = table.x - sofa.x, table.y - sofa.y
+    ahead, aside = (
+        dx * math.cos(sofa.yaw) + dy * math.sin(sofa.yaw),
+        -dx * math.sin(sofa.yaw) + dy * math.cos(sofa.yaw),
+    )
+    assert 0.8 < ahead < 1.6 and abs(aside) < 0.3
+    (row,) = [row for row in run.report.asked if row.kind == "relation"]
+    assert row.verdict == "met"
+
+
+def test_a_rug_in_the_middle_of_the_room_lies_under_its_coffee_table() -> None:
+    run = rl.generate("A living room with a rug in the middle of the room", seed=0)
+    assert foot(run, "coffee_table-0").difference(foot(run, "rug-0")).area < 0.05
+
+
+def test_a_television_in_the_corner_lets_its_sofa_stand_off_its_middle() -> None:
+    run = rl.generate("A living room with the TV in the corner", seed=0)
+    sofa, screen = run.layout["sofa-0"], run.layout["television-0"]
+    ahead = (screen.x - sofa.x) * math.cos(sofa.yaw) + (screen.y - sofa.y) * math.sin(sofa.yaw)
+    assert run.report.ok and ahead > 1.0
+
+
+def test_a_table_with_chairs_all_around_is_near_its_corner() -> None:
+    run = rl.generate("A dining room with the table in the corner", seed=0)
+    corners = [math.dist(at, run.layout["dining_table-0"].at) for at in run.scene.room.vertices]
+    assert min(corners) < 2.2 and {row.verdict for row in run.report.asked} == {"met"}

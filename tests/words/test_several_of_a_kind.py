@@ -294,3 +294,49 @@ def test_ages_say_who_the_room_is_for() -> None:
 def test_a_room_by_a_name_with_room_is_that_room() -> None:
     assert read("a kindergarten room with four round tables").room == "kindergarten"
     assert read("a U of desks in an office room").room == "office"
+
+
+def test_a_right_angle_in_degrees_is_no_thing() -> None:
+    reading = read("two armchairs at a 90 degree angle and a small table between them")
+    assert [thing.noun.kind for thing in reading.parsed.things] == ["armchair", "side table"]
+    assert [link.relation for link in reading.parsed.links] == ["crossed", "amid"]
+
+
+def test_the_opposite_corner_is_across_the_room() -> None:
+    links = read("the bed in the north-west corner and the desk in the opposite corner").parsed.links
+    assert [o.words for link in links for o in link.objects if isinstance(o, Place)] == [
+        ("north", "west"),
+        ("south", "east"),
+    ]
+    unknown = read("a plant in a corner and a lamp in the opposite corner")
+    assert [unknown.span(c.start, c.end) for c in unknown.parsed.missed] == ["the opposite corner"]
+
+
+def test_what_is_in_the_middle_of_each_table_is_asked_there() -> None:
+    scene, _ = scene_from_sentence("three tables, each with two chairs and a vase in the middle")
+    (row,) = [row for row in read_words(scene).rows if row.kind == "relation" and "vase" in row.words]
+    said = [[relation.name for relation in way] for demand in row.demands for way in demand.ways]
+    assert said == [["on_top_of", "centered_on"]] * 3
+
+
+def test_a_sink_in_an_island_stands_flush_beside_it() -> None:
+    scene, _ = scene_from_sentence("A kitchen island with a sink in it and four stools on the far side")
+    assert {"kitchen_sink-0", "kitchen_island-0", "stove-0"} <= {asset.name for asset in scene.assets}
+    (row,) = [row for row in read_words(scene).rows if row.kind == "relation" and "sink" in row.words]
+    assert [[relation.name for relation in way] for demand in row.demands for way in demand.ways] == [
+        ["next_to", "align_with"]
+    ]
+
+
+@pytest.mark.parametrize(
+    ("text", "asked"),
+    [
+        ("a living room with two sofas and a coffee table in the middle", ["coffee table"]),
+        ("two sofas and a coffee table in the middle of the room", ["sofa", "coffee table"]),
+        ("a table with four magazines in the middle", ["dining table"]),
+        ("a table with a bowl in the middle", ["bowl"]),
+    ],
+)
+def test_what_of_a_list_is_in_the_middle(text: str, asked: list[str]) -> None:
+    (link,) = [link for link in read(text).parsed.links if link.relation == "middle"]
+    assert [mention.thing.noun.kind for mention in link.subjects] == asked

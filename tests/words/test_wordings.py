@@ -426,7 +426,9 @@ def test_floor_things_on_both_sides_of_what_hangs_have_it_between_them() -> None
     ("text", "table", "said"),
     [
         ("A room with a bed and a table with four chairs in the corner.", "dining_table", "near("),
-        ("A room with a bed and a table in the corner.", "dining_table", "corner("),
+        ("A room with a bed and a table in the corner.", "dining_table", "near("),  # it has four chairs
+        ("A kitchen with a table for two in the corner.", "dining_table", "corner("),
+        ("An office with a desk in the corner facing the door.", "desk", "near("),
         ("An office with a desk in the corner and a bookshelf behind the desk.", "desk", "near("),
     ],
 )

@@ -95,11 +95,16 @@ def join_as_asked(cast: Mapping[str, Cast], demands: Sequence[Demand], passage: 
     beside = {name for name in faced & joins.keys() if joins[name][1].slot == "beside"}
     wanted = {name: join for name, join in joins.items() if name not in tops | beside} | chains
     wanted |= _at_right_angles(cast, wanted, demands)
-    for name in subjects(demands) - wanted.keys():
+    placed, central = subjects(demands), _amidst_the_room(demands)
+    for name in placed - wanted.keys():
         about = [demand for demand in demands if name in subjects([demand])]
         asset, anchor = found[name].asset, found[name].anchor
         stays = (asset.on_object and not asset.on_floor) or any(anchor in demand.names() for demand in about)
-        stays = stays or all(isinstance(one, DistanceConstraint) and one.max_distance is None for one in said(about))
+        # what others gather around takes what it belongs to into the middle of the room with it
+        leads = anchor not in placed - central and any(one.anchor == name for one in found.values())
+        metres = [one for one in said(about) if isinstance(one, DistanceConstraint)]
+        near = any(one.max_distance is not None and not (leads and isinstance(one.b, PointRef)) for one in metres)
+        stays = stays or (len(metres) == len(said(about)) and not near)
         if not stays or any(relation.name == "mounted_on" for relation in said(about)):
             found[name] = found[name].alone
     seated = [wanted[name] for name in wanted if cast[name].role.name.endswith("seat")]
@@ -226,9 +231,13 @@ def ringed(cast: Mapping[str, Cast], demands: Sequence[Demand]) -> dict[str, tup
 
 def in_the_middle(demands: Iterable[Demand]) -> set[str]:
     """Return the only thing that is asked into the middle of the room, which is rather right there than only near it."""
-    within = (one for one in said(demands) if isinstance(one, DistanceConstraint) and one.min_distance is None)
-    found = {one.a.name for one in within if isinstance(one.b, PointRef)}
+    found = _amidst_the_room(demands)
     return found if len(found) == 1 else set()
+
+
+def _amidst_the_room(demands: Iterable[Demand]) -> set[str]:
+    within = (one for one in said(demands) if isinstance(one, DistanceConstraint) and one.min_distance is None)
+    return {one.a.name for one in within if isinstance(one.b, PointRef)}
 
 
 def open_beside(demands: Iterable[Demand]) -> dict[str, str]:

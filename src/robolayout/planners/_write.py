@@ -53,6 +53,7 @@ class Writer:
         # before their corner, the wall for all of a row or the floor of a ring is taken
         self.first = asked.needing_room(cast, words) | self.ringed.keys()
         self.walled, self.formed = asked.held_by_walls(words), asked.formed(words)
+        self.cornered = {one.asset_names()[0] for one in asked.said(words) if one.name == "corner"}
         self.looked, self.beside = asked.looked_at(words), asked.open_beside(words)
         self.below = asked.hung_over(scene, words)  # nothing else hangs there
         self.middle, self.lain = asked.in_the_middle(words), asked.lain_at(words)
@@ -216,8 +217,8 @@ class Writer:
         """Yield where a thing hangs or lies."""
         a, values, over = self._name(item.name), self._values(item), self._under(item)
         owner = self._owners.get(item.name)
-        told = item.name in self.asked or item.name in {rug for rug, _ in self.ringed.values()}
-        if told and not (mode == "rug" and owner and self.cast[owner].anchor == self.lain.get(item.name)):
+        ringed = item.name in {rug for rug, _ in self.ringed.values()}
+        if (item.name in self.asked or ringed) and not (mode == "rug" and owner and self._lies_below(item, owner)):
             owner = None
         if owner is not None:
             values["b"] = self._name(owner)
@@ -235,6 +236,12 @@ class Writer:
             yield _wish(_either([f"above({a}, {self._name(n)})" for n in over]))
         if mode == "ceiling" and owner is None:
             yield _wish(f"centered_on({a}, room)")
+
+    def _lies_below(self, rug: Cast, owner: str) -> bool:
+        """Return whether a rug whose place is told lies below its owner: at what that joins, or in the middle of the room with it."""
+        stands = _modes(self.cast[owner])[0] != "wall" and owner not in self.asked
+        middle = stands and rug.name in self.middle - {name for name, _ in self.ringed.values()}
+        return middle or self.cast[owner].anchor == self.lain.get(rug.name)
 
     def _opposite(self, name: str) -> list[str]:
         """Return what is joined to a thing of its own kind to face it."""
@@ -313,7 +320,8 @@ class Writer:
         yield _wish(_either(looks), face.weight)
         before = [one for one in self.cast.values() if one.role.face.say and names[0] in self._faces(one)]
         if face.say and item.name not in self.asked and len(names) == 1 == len(before):
-            yield from self._fill(face.say, self._values(item))
+            told = [name for name, one in self.cast.items() if names[0] in (name, one.anchor) and name in self.cornered]
+            yield from self._fill(face.say, self._values(item), SAYING.joined if told else None)  # "a TV in the corner"
         elif face.distance != Face.distance:
             yield from self._fill(["in_front_of({a}, {b}, {ahead low}, {ahead high})"], self._values(item), 1.0)
 

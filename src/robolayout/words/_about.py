@@ -41,7 +41,7 @@ class About(References):
                 break
             self.at = min(self.at + 1, len(self.chunks))
         if wall := place_in(found[-1:], "wall", "corner"):
-            found[-1] = self._which_wall(wall)
+            found[-1] = self._which_wall(self._opposite_corner(wall))
         self.target = found[-1] if found and isinstance(found[-1], Mention) else None
         return found
 
@@ -157,7 +157,7 @@ class About(References):
         following = self.chunks[self.at : self.at + 2]
         if "same" in wall.words and [c.value for c in following] in (["as", "door"], ["as", "window"]):
             following[0] = replace(following[0], kind="with")
-        if len(following) < 2 or following[1].kind != "part":
+        if len(following) < 2 or following[1].kind != "part" or (wall.name, following[1].value) == ("corner", "room"):
             return wall
         how = following[0].value if following[0].kind == "rel" else following[0].kind
         corner = wall.name == "corner" and following[1].value in ("door", "window")
@@ -355,8 +355,7 @@ class About(References):
         if relation == "on" and last and last[0].laid and len(self.group) > 1:
             it = self._ahead().kind == "pron"
             linked = {m for link in self.said.links if not it or link.relation != "with" for m in link.subjects}
-            linked -= {last[0]}
-            return [m for m in self.group if m.thing.category.on_object and m not in linked]
+            return [m for m in self.group if m.thing.category.on_object and m not in linked - {last[0]}]
         return last
 
     def _shared(self, relation: str) -> bool:
@@ -366,14 +365,15 @@ class About(References):
         thing has, and of three things that do not belong together, only the last one stands at a place.
         """
         *earlier, last = (mention.thing for mention in self.group)
-        if relation == "around":
-            return all(mention.sat_on for mention in self.group)
         to = next((c for c in self.chunks[self.at :] if c.kind not in ("filler", "style")), Chunk("", 0, 0))
         again = to.kind == "pron" or any(thing.same(to) for thing in (*earlier, last))
         ends = to.kind in ("", "and", "comma", "stop")  # "a bed, a desk beneath"
-        again = again or (ends and last.noun.kind == "night stand")
+        among = ends and relation == "middle" and last.head in small.TOPS and {a.head for a in earlier} <= small.LOUNGE
+        if relation == "around" or among:
+            return not among and all(one.sat_on for one in self.group)  # "two sofas and a table in the middle"
         whole = len(self.group) == len(self.said.things)  # "a bed and a night stand on each side"
-        again = again or (ends and (relation in small.NEARNESS or (whole and relation in ("flank", "behind"))))
+        by = relation in small.NEARNESS or last.noun.kind == "night stand"
+        again = again or (ends and (by or (whole and relation in ("flank", "behind"))))
         begun = next(i for i, c in enumerate(self.chunks) if c.end == last.spans[-1][1])
         closed = self.chunks[begun - 1].kind == "and"
         across = closed and to.value == "wall" and to.plural and "opposite" in to.adjectives

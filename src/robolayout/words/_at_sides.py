@@ -32,6 +32,13 @@ class AtSides(AtPlaces):
     told: ToldRows
     """What is said of rows and shapes."""
 
+    def _seated_around(self, names: Iterable[str]) -> set[str]:
+        """Return which of some tables have more usual chairs than sit at two sides of them."""
+        every = [one.name for one in self.scene.assets]
+        tables = [name for name in every if self._is(name, ("table",)) and not self._is(name, small.LOW_TABLES)]
+        chairs = sum(self._is(name, ("chair",)) for name in every)
+        return {*names}.intersection(tables) if chairs > 3 * len(tables) else set()
+
     def _front(self, it: Asked) -> tuple[Demand, ...]:
         """A shape before something is open to it; two that face each other before a fireplace stand on both sides of its middle."""
         if {*it.subjects} <= {*self.told.shape}:

@@ -38,21 +38,19 @@ class Demander(AtSides):
         on_floor = [(how, a, b) for how, a, b in twos if self._asset(a).on_floor]
         backed = {b for how, a, b in on_floor if how == "flank" or (how == "behind" and a not in sat_on)}
         self.surrounded = frozenset(backed.union(name for name, count in seats.items() if count > 2))
+        self.surrounded |= self._seated_around(self.cornered)
         seated = (one for one in scene.assets if self._is(one.name, small.SEATS))
         hosted = any(not ways_of.visits(one.category) for one in seated)
         # desks with a seat behind them
-        self.manned = {
-            b
-            for relation, a, b in twos
-            if self._is(b, ("desk",))
-            and self._sits_behind(a, b)
-            and (relation == "behind" or (hosted and ways_of.visits(self._asset(a).category)))
-        }
+        at = [(how, a, b) for how, a, b in twos if self._is(b, ("desk",)) and self._sits_behind(a, b)]
+        visited = {b for _, a, b in at if hosted and ways_of.visits(self._asset(a).category)}
+        self.manned = visited.union(b for how, _, b in at if how == "behind")
         # desks at which somebody looks at what is told; of these, those that look at who comes in
         turned = [(name, it.place) for link, it in asked if link.relation == "facing" for name in it.subjects]
         turned = [(name, at) for name, at in turned if self._looks(name)[1:] and self._is(name, ("desk",))]
         self.looking = self.manned.union(name for name, _ in turned)
-        self.manned |= {name for name, at in turned if at is not None and at.name in ("room", "door")}
+        behind = {name for name, at in turned if at is not None and at.name in ("room", "door")}
+        self.manned, self.surrounded = self.manned | behind, self.surrounded | behind
         # metres that are told to lie between two
         self.metres = {two: link.metres for link, it in asked if link.relation == "apart" for two in it.twos}
         # metres that things take that stand between others
@@ -158,7 +156,10 @@ class Demander(AtSides):
         hung = self._asset(a).on_wall and not self._asset(a).on_object
         return single(stated("above" if hung else "on_top_of", AssetRef(a), AssetRef(b)))
 
-    _in_each = _on_each
+    def _in_each(self, a: str, b: str) -> Demand:
+        """A thing rests on another; what stands on the floor stands flush beside a counter that it is in: a sink in an island."""
+        built = self._asset(a).on_floor and not self._asset(a).on_object and self._is(b, ("counter", "island"))
+        return by_ways(ways_of.FLUSH, a, b) if built else self._on_each(a, b)
 
     def _with_each(self, a: str, b: str) -> Demand | None:
         """What a thing has: on it, if it can stand nowhere else, else at it."""
@@ -440,4 +441,8 @@ class Demander(AtSides):
 
     def _middle_each(self, a: str, b: str) -> Demand:
         on = self._asset(a).on_object or self._asset(b).is_flat
-        return self._on_each(a, b) if on else single(stated("near", AssetRef(a), AssetRef(b), ways_of.BESIDE))
+        if not on:
+            return single(stated("near", AssetRef(a), AssetRef(b), ways_of.BESIDE))
+        below = self._on_each(a, b)
+        middle = () if self._asset(b).is_flat else (stated("centered_on", AssetRef(a), AssetRef(b)),)
+        return Demand(tuple((*way, *middle) for way in below.ways))

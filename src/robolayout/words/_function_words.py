@@ -20,7 +20,7 @@ FREED: dict[str, list[str]] = _DATA["freed"]
 _NAMES: dict[str, dict[str, str]] = _DATA
 SAID_AS, KIN, HEAPS, SAID_OF = (_NAMES[name] for name in ("said_as", "kin", "heaps", "said_of"))
 OF_A_SIDE, REVERSED, AIDS, AXES = (_NAMES[name] for name in ("of_a_side", "reversed", "aids", "axes"))
-OTHER_SIDE, ENDS, SHAPES = (_NAMES[name] for name in ("other_side", "ends", "shapes"))
+OTHER_SIDE, ACROSS, ENDS, SHAPES = (_NAMES[name] for name in ("other_side", "across", "ends", "shapes"))
 
 
 def __getattr__(name: str) -> frozenset[str]:

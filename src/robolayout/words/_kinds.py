@@ -97,6 +97,8 @@ def _settle_by_others(link: Link) -> None:
             _take(thing, "coffee table" if "sofa" in heads else "side table")
         elif thing.noun.said == "small table" and thing.noun.others and link.relation in (*small.AT_SIDES, "front"):
             _take(thing, "coffee table" if link.relation == "front" and heads <= small.LOUNGE else "side table")
+        elif thing.noun.said == "sink" and heads & {"island", "counter"}:
+            _take(thing, "kitchen sink")
         elif thing.noun.words == "stool" and any(other.noun.kind.endswith(small.HIGH) for other in to):
             _take(thing, "bar stool")
         elif thing.noun.kind == "cushion" and (sat_on or heads <= {"rug"} or (around and heads & small.TOPS)):

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import replace
-from itertools import combinations, dropwhile
+from itertools import combinations, dropwhile, pairwise
 
 from robolayout.words import _function_words as small
 from robolayout.words._chunk import NOTHING, ROWS, Chunk
@@ -216,6 +216,15 @@ class References(Spoken):
         self.said.read.update(range(last.start, last.end))
         return [replace(to, words=(*to.words, "middle"))]
 
+    def _opposite_corner(self, place: Place) -> Place:
+        """Return the corner across from that of before: "the bed in the north-west corner, the desk in the opposite one"."""
+        before = [at.words for link in self.said.links for at in places(link.objects, "corner")][-1:]
+        if place.name != "corner" or not before or not {"opposite", "opposing", "diagonal"} & {*place.words}:
+            return place
+        words = tuple(small.ACROSS[word] for word in before[0] if word in small.ACROSS)
+        self.said.missed += [] if words else [self._ahead(-1)]
+        return replace(place, words=words or place.words)
+
     def _led_back(self, relation: str) -> Sequence[Item]:
         """Return what a relation leads to where nothing is named: "a loft bed with a desk underneath", "a bed on the left"."""
         if relation == "opposite":  # of a single seat, bed or desk: "a bed ..., a mirror on the wall opposite"
@@ -243,6 +252,53 @@ class References(Spoken):
         if not of and all(mention.thing.noun.kind == "night stand" for mention in self.about):
             of = self._last_of(small.SLEPT_ON, named(self.about))  # "a bed, a desk, one night stand on the right"
         return of or [Place("side", (relation,))]
+
+    def _held_by(self, chunk: Chunk, subjects: list[Mention], objects: list[Item]) -> tuple[list[Mention], list[Item]]:
+        """Return what a relation is about and leads to, where that is not what a thing has but the thing itself."""
+        held = self.having and self.holder and not self.listed
+        if chunk.value == "flank" and not objects and held and self.holder[0].thing.count == 2 and self.recent[2:]:
+            own = {self.holder[0].thing, subjects[0].thing}  # "two nightstands with lamps on either side"
+            return self.holder, [*[m for m in self.recent if m.thing not in own][:1]]
+        middle = chunk.value == "middle" and not objects
+        if middle and held and self.holder[0].topped:
+            on = [list(k.objects) for k in self.said.links if k.relation == "on" and self.holder[0] in k.subjects]
+            return subjects, on[-1] if on else objects  # "plates on the table, with a candle in the middle"
+        led = [before.kind for before, c in pairwise(self.chunks[: self.at]) if c.kind == "with"][-1:]
+        one = led == ["comma"] or not any(m.several for m in subjects)  # a table with four magazines is there itself
+        on = self.holder if held and one else self.every[0] if self.every else []
+        if middle and on and self.group[-1:] and self.group[-1].topped:
+            return subjects, list(
+                on
+            )  # "a table by the wall, with a bowl in the middle", "tables, each with a bowl in ..."
+        place = isinstance(objects[0], Place) if objects else chunk.value == "middle"
+        laid = chunk.value in small.LAID and held and self.group[-1].topped and not self.holder[0].topped
+        laid = laid and (chunk.value != "above" or len(objects) > 1)  # "a shelf with bottles above them"
+        if laid and chunk.det == "its" and self.target is not None:
+            return [self.target], list(self.holder)  # "a bed with a lamp on the nightstand to its right"
+        if laid and chunk.det == "its":  # "an armchair by the window, a table with a cup to its right"
+            before = list[Item](m for m in self.targets if m.thing is not self.holder[0].thing)
+            objects = before[-1:] or objects
+            laid = objects != self.holder
+        apart = [m for m in mentions(objects) if m.thing not in named(self.holder)]
+        if laid and chunk.value == "amid" and sum(m.count for m in apart) > 1:
+            objects, laid = list[Item](apart), not apart[0].topped  # "two beds, a table with a lamp between them"
+        to_it = named(self.holder) & named(objects)
+        laid = laid and not (to_it and chunk.det != "its")  # "a chair with a lamp behind it"
+        low = held and not self.group[-1].topped and not self.holder[0].thing.category.on_floor
+        sat = held and self.group[-1].sat_on and self.holder[0].thing.head in small.TOPS
+        hung = place and not sat and chunk.value in ("on", "hanging") and not place_in(objects[:1], "side")  # a TV
+        sat = sat and (chunk.value != "opposite" or self.group[-1].thing.head not in small.LOUNGE)
+        others = [m for m in apart if m.thing.count > 1]
+        seated = sat and chunk.value in (*small.STANDING, "amid")
+        if seated and others and self._ahead(-1).kind == "pron" and self.holder[0].thing.count == 1:
+            objects = list[Item](others)  # "two shelves and a table with four chairs in front of them"
+        to_it = named(self.holder) & named(objects)
+        hangs = held and chunk.value == "above" and not {"floor", "object"} & {*self.holder[0].thing.places}
+        laid = laid or bool((seated or hangs) and objects and not to_it)
+        seats = held and bool(objects) and self.group[-1].sat_on  # "a table with four chairs on a rug"
+        laid = laid or (seats and _over_or_under(chunk.value, objects[0]) and not to_it)
+        swapped = (place or laid) and held and not (hung or (low and not hangs)) and subjects == self.group[-1:]
+        return (self.holder if swapped else subjects), objects
 
     def _far_apart(self, chunk: Chunk) -> bool:
         """Note that each of several things is far from each other one: "a bed, a desk and a sofa, but not near each other"."""
@@ -385,3 +441,9 @@ def _sided(chunk: Chunk) -> str:
     if not (chunk.value == "oneside" or (chunk.value == "around" and each)) or "all" in words:
         return ""
     return "end" if {"end", "ends", "short", "head"} & words else "long" if "long" in words else "each" * each
+
+
+def _over_or_under(relation: str, item: Item) -> bool:
+    """Return whether something is a rug that things are on, or hangs from the ceiling over them."""
+    below = relation == "under" and isinstance(item, Mention) and item.thing.places == ("ceiling",)
+    return below or (relation == "on" and isinstance(item, Mention) and item.flat)

@@ -6,13 +6,13 @@ import math
 import re
 from collections.abc import Sequence
 from dataclasses import replace
-from itertools import dropwhile, pairwise, takewhile
+from itertools import dropwhile, takewhile
 
 from robolayout.words import _function_words as small
 from robolayout.words._about import About
 from robolayout.words._chunk import NOTHING, Chunk
 from robolayout.words._lexicon import Noun
-from robolayout.words._said import Item, Link, Mention, Place, mentions, named, place_in, place_of
+from robolayout.words._said import Item, Link, Mention, Place, mentions, place_in, place_of
 from robolayout.words._tokens import Measure
 from robolayout.words._ways import MIDDLE_AISLE
 
@@ -129,9 +129,8 @@ class Relating(About):
             else:
                 break
         things = tuple(mentions(found)) if chunk.value == "light" else ()
-        self.group = (
-            self._ahead().kind == "rel" and mentions(found[-1:])
-        ) or self.group  # "a way to the desk by the bed"
+        if self._ahead().kind == "rel" and mentions(found[-1:]):
+            self.group = mentions(found[-1:])  # "a way to the desk by the bed"
         named = {"light": "lit"}.get(chunk.value, chunk.value)
         self.said.links.append(Link(named, things, () if things else tuple(found), chunk.start, chunk.end))
         return True
@@ -191,9 +190,9 @@ class Relating(About):
 
     def _one_for_each_pair(self, between: Sequence[Mention], pairs: int) -> None:
         """Note that there are as many things as pairs, if that is said: "each pair facing each other across a small table"."""
-        if any(chunk.value == "each pair" and chunk.start >= self.began for chunk in self.chunks[: self.at]):
-            for mention in between:
-                mention.thing.times = pairs
+        told = any(chunk.value == "each pair" and chunk.start >= self.began for chunk in self.chunks[: self.at])
+        for mention in between if told else ():
+            mention.thing.times = pairs
 
     def _of_a_place(self, chunk: Chunk, first: int) -> bool:
         """Note what is at a place of which that is said: "a window above the sink", "the walls are lined with bookshelves"."""
@@ -266,48 +265,6 @@ class Relating(About):
             bare = thing.head == "mirror" and thing.number is None and thing.plural
             if bare and not item.det and chunk.value == "facing" and subjects[0].several:
                 thing.number = subjects[0].count
-
-    def _held_by(self, chunk: Chunk, subjects: list[Mention], objects: list[Item]) -> tuple[list[Mention], list[Item]]:
-        """Return what a relation is about and leads to, where that is not what a thing has but the thing itself."""
-        held = self.having and self.holder and not self.listed
-        if chunk.value == "flank" and not objects and held and self.holder[0].thing.count == 2 and self.recent[2:]:
-            led = [m for m in self.recent if m.thing not in (self.holder[0].thing, subjects[0].thing)]
-            return self.holder, [*led[:1]]  # "two nightstands with lamps on either side"
-        if chunk.value == "middle" and not objects and held and self.holder[0].topped:
-            on = [list(k.objects) for k in self.said.links if k.relation == "on" and self.holder[0] in k.subjects]
-            return subjects, on[-1] if on else objects  # "plates on the table, with a candle in the middle"
-        led = [before.kind for before, c in pairwise(self.chunks[: self.at]) if c.kind == "with"][-1:]
-        if chunk.value == "middle" and not objects and held and led == ["comma"] and self.group[-1].topped:
-            return subjects, list(self.holder)  # "a table by the wall, with a bowl in the middle"
-        place = isinstance(objects[0], Place) if objects else chunk.value == "middle"
-        laid = chunk.value in small.LAID and held and self.group[-1].topped and not self.holder[0].topped
-        laid = laid and (chunk.value != "above" or len(objects) > 1)  # "a shelf with bottles above them"
-        if laid and chunk.det == "its" and self.target is not None:
-            return [self.target], list(self.holder)  # "a bed with a lamp on the nightstand to its right"
-        if laid and chunk.det == "its":  # "an armchair by the window, a table with a cup to its right"
-            before = list[Item](m for m in self.targets if m.thing is not self.holder[0].thing)
-            objects = before[-1:] or objects
-            laid = objects != self.holder
-        apart = [m for m in mentions(objects) if m.thing not in named(self.holder)]
-        if laid and chunk.value == "amid" and sum(m.count for m in apart) > 1:
-            objects, laid = list[Item](apart), not apart[0].topped  # "two beds, a table with a lamp between them"
-        to_it = named(self.holder) & named(objects)
-        laid = laid and not (to_it and chunk.det != "its")  # "a chair with a lamp behind it"
-        low = held and not self.group[-1].topped and not self.holder[0].thing.category.on_floor
-        sat = held and self.group[-1].sat_on and self.holder[0].thing.head in small.TOPS
-        hung = place and not sat and chunk.value in ("on", "hanging") and not place_in(objects[:1], "side")  # a TV
-        sat = sat and (chunk.value != "opposite" or self.group[-1].thing.head not in small.LOUNGE)
-        others = [m for m in apart if m.thing.count > 1]
-        seated = sat and chunk.value in (*small.STANDING, "amid")
-        if seated and others and self._ahead(-1).kind == "pron" and self.holder[0].thing.count == 1:
-            objects = list[Item](others)  # "two shelves and a table with four chairs in front of them"
-        to_it = named(self.holder) & named(objects)
-        hangs = held and chunk.value == "above" and not {"floor", "object"} & {*self.holder[0].thing.places}
-        laid = laid or bool((seated or hangs) and objects and not to_it)
-        seats = held and bool(objects) and self.group[-1].sat_on  # "a table with four chairs on a rug"
-        laid = laid or (seats and _over_or_under(chunk.value, objects[0]) and not to_it)
-        swapped = (place or laid) and held and not (hung or (low and not hangs)) and subjects == self.group[-1:]
-        return (self.holder if swapped else subjects), objects
 
     def _refused(self, chunk: Chunk, subjects: Sequence[Mention], objects: Sequence[Item]) -> None:
         """Note what must not be so: where nearness is refused, a gap is asked for; of what must not be there nothing is."""
@@ -442,9 +399,3 @@ class Relating(About):
                 self._link(named, together, list(subjects))
             held = chunk.value == "holds" and self._ahead().kind == "rel" and self._ahead().value != "on"
             self.group = self.acted = list(subjects) if held else moved  # "a shelf full of toys along the wall"
-
-
-def _over_or_under(relation: str, item: Item) -> bool:
-    """Return whether something is a rug that things are on, or hangs from the ceiling over them."""
-    below = relation == "under" and isinstance(item, Mention) and item.thing.places == ("ceiling",)
-    return below or (relation == "on" and isinstance(item, Mention) and item.flat)

@@ -130,6 +130,9 @@ OFF_A_WALL = (0.3, math.inf)
 ABREAST: Ways = ((("next_to", "beside", AT_TABLE), ("align_with",)),)
 """Side by side, turned alike."""
 
+FLUSH: Ways = ((("next_to", "beside", TOUCHING), ("align_with",)),)
+"""As one with a counter."""
+
 IN_A_CHAIN: Mapping[str, Ways] = {
     "together": ((("near", AT_TABLE),),),
     "abreast": ABREAST,  # alike things on the floor, others are together
