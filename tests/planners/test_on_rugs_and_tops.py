@@ -146,3 +146,8 @@ def test_a_table_with_chairs_all_around_is_near_its_corner() -> None:
     run = rl.generate("A dining room with the table in the corner", seed=0)
     corners = [math.dist(at, run.layout["dining_table-0"].at) for at in run.scene.room.vertices]
     assert min(corners) < 2.2 and {row.verdict for row in run.report.asked} == {"met"}
+
+
+def test_a_sofa_at_the_foot_of_a_bed_looks_away_from_it() -> None:
+    run = rl.generate("A bedroom with a sofa at the foot of the bed", seed=0)
+    assert math.cos(run.layout["sofa-0"].yaw - run.layout["bed-0"].yaw) > 0.99

@@ -11,7 +11,7 @@ from robolayout.constraints.around import Around
 from robolayout.scene import ROUNDING
 from robolayout.words import _function_words as small
 from robolayout.words import _ways as ways_of
-from robolayout.words._places import Asked, AtPlaces, openings_meant, walls_meant
+from robolayout.words._places import Asked, AtPlaces, openings_meant, opposed, walls_meant
 from robolayout.words._rows import ToldRows
 from robolayout.words._said import Place
 from robolayout.words.demands import Demand, EdgeGap, Way, by_ways, single, stated
@@ -31,6 +31,27 @@ class AtSides(AtPlaces):
 
     told: ToldRows
     """What is said of rows and shapes."""
+
+    def _cleared(self, subjects: Sequence[str], place: str, metres: float) -> Iterator[Demand]:
+        """Yield that so much floor, or what the body needs, is free at one of some sides of things: no thing stands there, and no wall."""
+        free, sides = metres or round(2 * self.scene.agents[0].radius, 2), place.split(" or ")
+        for a in (a for a in subjects if self._asset(a).on_floor):
+            clear = [stated("keep_clear", AssetRef(a), side, free) for side in sides]
+            ways = [[*self._off_walls(a, side, free)] for side in sides]
+            if len(sides) > 1:
+                yield Demand(tuple((one, *way) for one, off in zip(clear, ways, strict=True) for way in off))
+            else:
+                yield from (single(*clear), Demand(tuple(ways[0])))
+
+    def _off_walls(self, a: str, side: str, metres: float) -> Iterator[Way]:
+        """Yield the ways in which a side of a thing, which stands at a wall or free, is so far from the wall that it looks at."""
+        half = self._asset(a).size[side in ("left", "right")] / 2
+        for wall in self.room.walls:  # at its back
+            x, y = wall.normal
+            to = {"front": (x, y), "left": (-y, x), "back": (-x, -y), "right": (y, -x)}[side]
+            ahead = [one for one in self.room.walls if opposed(one.normal, to)]
+            far = (stated("distance_constraint", AssetRef(a), WallRef(w.index), round(half + metres, 3)) for w in ahead)
+            yield (stated("align_with", AssetRef(a), WallRef(wall.index), 90.0), *far)
 
     def _seated_around(self, names: Iterable[str]) -> set[str]:
         """Return which of some tables have more usual chairs than sit at two sides of them."""

@@ -112,7 +112,7 @@ class Chunker(ClosedWords):
         if word in ("seat", "seats", "seating") and count_of(following):
             return Chunk("people", at, at + 2, "people", number=count_of(following))
         role = word == "as" and following in ("a", "an", "the") and before not in ("well", "such", "same", "wall")
-        role = role or (f"{before} {word}" in small.SERVING and (following in ("a", "an") or following == "one"))
+        role = role or (f"{before} {word}" in small.SERVING and following in ("a", "an", "one"))
         named = self._noun_phrase(at + 1) if role or word in small.SELLING else None
         return Chunk("filler", at, named.end, word) if named else None
 

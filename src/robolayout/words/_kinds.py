@@ -116,9 +116,8 @@ def _settle_by_place(link: Link) -> None:
     to = mentions(link.objects)
     lit = [m for m in to if link.relation == "under" and m.thing.noun.said in small.LIGHTS]
     sat = all(m.sat_on or m.thing.head in (*small.TOPS, *small.SLEPT_ON) for m in link.subjects)
-    over = [
-        m for m in to if link.relation == "under" and m.thing.noun.said == "shelf" and sat
-    ]  # "a desk under a shelf"
+    # "a desk under a shelf"
+    over = [m for m in to if link.relation == "under" and m.thing.noun.said == "shelf" and sat]
     place = "ceiling" if lit else "wall" if over else _where(link)
     for thing in (mention.thing for mention in lit or over or link.subjects):
         noun = thing.noun

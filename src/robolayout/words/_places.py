@@ -58,10 +58,10 @@ def _told(walls: list[Wall], word: str, room: Room) -> list[Wall]:
 
 
 def _across(one: Wall, two: Wall) -> bool:
-    return _opposed(one.normal, two.normal)
+    return opposed(one.normal, two.normal)
 
 
-def _opposed(one: tuple[float, float], two: tuple[float, float]) -> bool:
+def opposed(one: tuple[float, float], two: tuple[float, float]) -> bool:
     """Return whether two unit vectors point more against than across each other."""
     return one[0] * two[0] + one[1] * two[1] < -math.sqrt(0.5)
 
@@ -283,24 +283,6 @@ class AtPlaces:
                 return
             yield from ((stated("zone", ref, half),) for half in halves_meant(self.room, place))
 
-    def _cleared(self, subjects: Sequence[str], place: str, metres: float) -> Iterator[Demand]:
-        """Yield that so much floor, or what the body needs, is free at one of some sides of things: no thing stands there, and no wall."""
-        free = metres or round(2 * self.scene.agents[0].radius, 2)
-        for a in (a for a in subjects if self._asset(a).on_floor):
-            sides = place.split(" or ")
-            yield single(*(stated("keep_clear", AssetRef(a), side, free) for side in sides))
-            yield Demand(tuple(way for side in sides for way in self._off_walls(a, side, free)))
-
-    def _off_walls(self, a: str, side: str, metres: float) -> Iterator[Way]:
-        """Yield the ways in which a side of a thing, which stands at a wall or free, is so far from the wall that it looks at."""
-        half = self._asset(a).size[side in ("left", "right")] / 2
-        for wall in self.room.walls:  # at its back
-            x, y = wall.normal
-            to = {"front": (x, y), "left": (-y, x), "back": (-x, -y), "right": (y, -x)}[side]
-            ahead = [one for one in self.room.walls if _opposed(one.normal, to)]
-            far = (stated("distance_constraint", AssetRef(a), WallRef(w.index), round(half + metres, 3)) for w in ahead)
-            yield (stated("align_with", AssetRef(a), WallRef(wall.index), 90.0), *far)
-
     def _too_many(self, subjects: Sequence[str], place: Place, *, on: bool, under: bool) -> bool:
         """Return whether things do not all have room under windows, or tables before those that they are along."""
         windows = openings_meant(self.room, place)
@@ -406,7 +388,7 @@ class AtPlaces:
                 (dx, dy), (nx, ny) = wall.direction, wall.normal
                 square = {0.0: (dx, dy), 90.0: (nx, ny), 180.0: (-dx, -dy), 270.0: (-nx, -ny)}
                 to = ((angle, square[(angle + looks) % 360.0]) for angle in square)
-                free = [angle for angle, way in to if not any(_opposed(one.normal, way) for one in walls)]
+                free = [angle for angle, way in to if not any(opposed(one.normal, way) for one in walls)]
                 if free:
                     yield single(*(stated("align_with", AssetRef(a), WallRef(wall.index), angle) for angle in free))
 

@@ -267,9 +267,7 @@ class References(Spoken):
         one = led == ["comma"] or not any(m.several for m in subjects)  # a table with four magazines is there itself
         on = self.holder if held and one else self.every[0] if self.every else []
         if middle and on and self.group[-1:] and self.group[-1].topped:
-            return subjects, list(
-                on
-            )  # "a table by the wall, with a bowl in the middle", "tables, each with a bowl in ..."
+            return subjects, list(on)  # "a table by the wall, with a bowl in the middle"
         place = isinstance(objects[0], Place) if objects else chunk.value == "middle"
         laid = chunk.value in small.LAID and held and self.group[-1].topped and not self.holder[0].topped
         laid = laid and (chunk.value != "above" or len(objects) > 1)  # "a shelf with bottles above them"
