@@ -340,3 +340,23 @@ def test_a_sink_in_an_island_stands_flush_beside_it() -> None:
 def test_what_of_a_list_is_in_the_middle(text: str, asked: list[str]) -> None:
     (link,) = [link for link in read(text).parsed.links if link.relation == "middle"]
     assert [mention.thing.noun.kind for mention in link.subjects] == asked
+
+
+@pytest.mark.parametrize(
+    ("text", "kind"),
+    [
+        ("A bedroom with a shelf on the wall", "wall shelf"),
+        ("A bedroom with a shelf on the left wall", "shelving unit"),
+        ("A library with shelves on the wall", "bookshelf"),
+        ("A kids room with shelves on the wall", "toy shelf"),
+    ],
+)
+def test_a_shelf_on_the_wall_hangs_where_shelves_do_not_stand(text: str, kind: str) -> None:
+    scene, _ = scene_from_sentence(text)
+    assert [asset.category for asset in scene.assets if "shel" in asset.category][0] == kind
+
+
+def test_a_bed_with_something_broad_beside_it_has_one_night_stand() -> None:
+    for text, count in (("a crib next to the bed", 1), ("a rug next to the bed", 2)):
+        scene, _ = scene_from_sentence(f"A bedroom with {text}")
+        assert sum(asset.category == "night stand" for asset in scene.assets) == count

@@ -13,7 +13,7 @@ import numpy as np
 from robolayout.planners._knowledge import DATA
 from robolayout.planners._roles import TOP_SHARE
 from robolayout.planners._wishes import INSTEAD, LOW, RoomWishes, head
-from robolayout.scene import Agent
+from robolayout.scene import FLAT_HEIGHT, Agent
 from robolayout.words import SHAPES, WATCHING, NamedThing, mentions, named, place_in, visits
 
 COMFORT, AIRY = 0.26, 0.15
@@ -69,6 +69,12 @@ class Added:
         self.cornered, self.bared = (
             self._roles_of(m.thing for k in links for m in k.subjects) for links in (corners, bare)
         )
+        beside = (
+            k for k in said if k.relation in ("next", "left", "right") and any(map(self._broad, named(k.subjects)))
+        )
+        self.cornered |= self._roles_of(
+            thing for k in beside for thing in named(k.objects)
+        )  # a bed with a crib beside it
         self.ceiling = (wishes.reading.measure("height") or (math.inf,))[0]
         self.found: dict[str, int] = {}
 
@@ -114,6 +120,11 @@ class Added:
             faced |= {"sofa", *wishes.roles["sofa"].face.roles}  # all sit around a coffee table, or on a rug
         unseen = {name for name, role in playing.items() if role.name in faced}
         return unseen | {name for name in usual if unseen & self._companions(name).keys()}
+
+    def _broad(self, thing: NamedThing) -> bool:
+        """Whether a thing takes the place of what usually stands beside another one."""
+        kind = self.wishes.kinds[self.wishes.kind(thing)]
+        return kind.on_floor and kind.size[1] > BROAD and kind.size[2] > FLAT_HEIGHT
 
     def _crowded_out(self) -> set[str]:
         """Return what usually stands where something broad is said to: night stands beside a bed that wardrobes flank."""

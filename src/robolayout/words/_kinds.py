@@ -27,9 +27,14 @@ def settle_kinds(parsed: Parsed) -> None:
         if thing.noun.said == "keyboard" and music:
             _take(thing, "digital piano")
         _settle_table(thing, heads, alone=alone)
+    stored = not small.STORES.isdisjoint(chunk.value for chunk in parsed.facts if chunk.kind == "room")
     for link in sorted(parsed.links, key=lambda link: link.relation == "with"):  # which says least of where a lamp is
         _settle_by_others(link)
         _settle_by_place(link)
+        at = place_in(link.objects[:1], "wall")
+        for thing in (one.thing for one in link.subjects if at and not (at.words or at.by or at.plural or stored)):
+            if link.relation == "on" and thing.noun.said == "shelf":
+                _take(thing, "wall shelf")  # "a shelf on the wall", but "shelves on the left wall" stand there
 
 
 def _settle_table(thing: NamedThing, heads: Set[str], *, alone: bool) -> None:
