@@ -353,10 +353,16 @@ def test_what_of_a_list_is_in_the_middle(text: str, asked: list[str]) -> None:
 )
 def test_a_shelf_on_the_wall_hangs_where_shelves_do_not_stand(text: str, kind: str) -> None:
     scene, _ = scene_from_sentence(text)
-    assert [asset.category for asset in scene.assets if "shel" in asset.category][0] == kind
+    assert next(asset.category for asset in scene.assets if "shel" in asset.category) == kind
 
 
 def test_a_bed_with_something_broad_beside_it_has_one_night_stand() -> None:
     for text, count in (("a crib next to the bed", 1), ("a rug next to the bed", 2)):
         scene, _ = scene_from_sentence(f"A bedroom with {text}")
         assert sum(asset.category == "night stand" for asset in scene.assets) == count
+
+
+def test_a_meeting_table_in_an_office_has_chairs_besides_those_at_desks() -> None:
+    for text, count in (("An office with a meeting table", 9), ("An office with a meeting table and four chairs", 4)):
+        scene, _ = scene_from_sentence(text)
+        assert sum(asset.category.endswith("chair") for asset in scene.assets) == count

@@ -180,12 +180,20 @@ def _wished(wishes: RoomWishes) -> dict[str, int]:
         wished[room.tables] = math.ceil(chairs / room.at_table)
     elif chairs and not tables and "dining table" in room.extras and not _at_a_counter(wished):
         wished["dining table"] = 1
+    wished["office chair"] += _at_meeting_tables(wishes, wished)
     lounge = _lounge(wishes, wished)
     for name, count in wishes.implied.items():  # besides what is named, but not besides what is usual
         new = max(0, count - (wished[name] - wishes.things.get(name, 0)))
         wished[name] += new
         wished["office chair"] += new * (head(name) == "desk" and "office chair" in wished)
     return dict(+wished) | lounge
+
+
+def _at_meeting_tables(wishes: RoomWishes, wished: Mapping[str, int]) -> int:
+    """Return how many chairs are at meeting tables where the usual ones are at desks."""
+    at_desks = "desk" in map(head, wished) and "chair" not in map(head, wishes.things)
+    chairs = wishes.rooms.companions["conference table"]["office chair"]
+    return chairs * wished.get("conference table", 0) * at_desks
 
 
 def _lounge(wishes: RoomWishes, wished: Mapping[str, int]) -> dict[str, int]:
