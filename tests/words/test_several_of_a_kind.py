@@ -366,3 +366,17 @@ def test_a_meeting_table_in_an_office_has_chairs_besides_those_at_desks() -> Non
     for text, count in (("An office with a meeting table", 9), ("An office with a meeting table and four chairs", 4)):
         scene, _ = scene_from_sentence(text)
         assert sum(asset.category.endswith("chair") for asset in scene.assets) == count
+
+
+@pytest.mark.parametrize(
+    ("text", "kinds"),
+    [
+        ("an armchair turned 45 degrees toward the fireplace", ["armchair", "fireplace"]),
+        ("a sofa rotated 30 degrees", ["sofa"]),
+        ("a kitchen where two people can cook at the same time", []),
+        ("a reception with a counter facing the door", ["reception desk"]),
+        ("a living room. Keep the centre of the room empty.", []),
+    ],
+)
+def test_degrees_times_and_places_are_no_things(text: str, kinds: list[str]) -> None:
+    assert [thing.noun.kind for thing in read(text).parsed.things] == kinds

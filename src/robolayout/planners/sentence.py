@@ -180,12 +180,12 @@ def _wished(wishes: RoomWishes) -> dict[str, int]:
         wished[room.tables] = math.ceil(chairs / room.at_table)
     elif chairs and not tables and "dining table" in room.extras and not _at_a_counter(wished):
         wished["dining table"] = 1
-    wished["office chair"] += _at_meeting_tables(wishes, wished)
     lounge = _lounge(wishes, wished)
     for name, count in wishes.implied.items():  # besides what is named, but not besides what is usual
         new = max(0, count - (wished[name] - wishes.things.get(name, 0)))
         wished[name] += new
         wished["office chair"] += new * (head(name) == "desk" and "office chair" in wished)
+    wished["office chair"] += _at_meeting_tables(wishes, wished)
     return dict(+wished) | lounge
 
 

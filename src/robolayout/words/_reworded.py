@@ -64,6 +64,7 @@ _SAID = {
     rf"(?:an? )?(LENGTH) (?:wide )?{_TURN} (AT)": "{1} of free space {2}",
     rf"(?:an? )?{_TURN} of (LENGTH) (AT)": "{1} of free space {2}",
     rf"(?:an? |the )?{_TURN} (AT)": "TURNING of free space {1}",
+    r"(?:turned|rotated|angled|tilted|swivelled)(?: by)?(?: \d+ degrees?)? (?:towards?|to face)": "facing",
     "at one end and ((?:a |an |the )?WORDS) at the (?:other|other end|opposite end)": "on the left and {1} on the right",
     "(in an? (?:u|horseshoe|semicircle|half circle)(?: shape| formation)?) open(?:ing)?(?: up)? (?:to|towards?)": "{1} facing",
     "(; a way [^.;]*?) and to(?= ONE )": "{1} and",
