@@ -230,6 +230,7 @@ def test_a_bar_with_stools_on_a_wall_is_there_itself() -> None:
         ("a desk with a lamp on the left of the desk", "floor lamp", "left", "desk"),
         ("a bed, a desk and one nightstand on the right", "night stand", "right", "bed"),
         ("a rug centered under the dining table", "rug", "under", "dining table"),
+        ("two lamps flanking a sofa by the armchair", "floor lamp", "flank", "sofa"),
         ("an L-shaped sofa with a floor lamp at its end", "floor lamp", "end", "sectional sofa"),
     ],
 )
@@ -380,3 +381,11 @@ def test_a_meeting_table_in_an_office_has_chairs_besides_those_at_desks() -> Non
 )
 def test_degrees_times_and_places_are_no_things(text: str, kinds: list[str]) -> None:
     assert [thing.noun.kind for thing in read(text).parsed.things] == kinds
+
+
+def test_what_is_flanked_is_what_stands_at_the_wall() -> None:
+    links = read("two night stands flanking a bed against the north wall").parsed.links
+    assert [(link.relation, link.subjects[0].thing.noun.kind) for link in links] == [
+        ("flank", "night stand"),
+        ("wall", "bed"),
+    ]

@@ -336,16 +336,16 @@ class About(References):
         place = self._ahead().kind == "part"
         if self.target is not None and place and last and relation not in ("on", "facing"):
             told = told or (last[0].thing.category.on_object and not on_tops)  # "a laptop on the desk under the window"
-            crowd = last[0].count >= CROWD and not self.target.several
-            told = told or (relation == "front" and crowd)  # "twelve desks facing a desk in front of the board"
+            crowd = relation == "front" and last[0].count >= CROWD
+            told = told or (crowd and not self.target.several)  # "twelve desks facing a desk in front of the board"
         to = self._ahead().noun
         if self.target is not None and to is not None and last and relation in small.STANDING:  # "jars on shelves by"
             told = told or (last[0].topped and not (self.target.topped or to.category.on_object))
-        told = told or (relation == "above" and hung)  # "books on a shelf above the desk"
+        flanked = place and self.said.last.relation == "flank"  # "two lamps flanking a sofa by the window"
+        told = told or flanked or (relation == "above" and hung)  # "books on a shelf above the desk"
         if self.target is not None and relation == "amid" and self._ahead().kind == "pron" and last:
             told = told or (last[0].laid and not self.target.laid)  # "tissues on a small table between them"
-        # "a sofa and two armchairs on a rug in front of the fireplace"
-        flat = self.target is not None and self.target.flat
+        flat = self.target is not None and self.target.flat  # "two armchairs on a rug in front of the fireplace"
         flat = flat and (len(self.group) > 1 or any(one.several for one in last))
         told = (told and self.acted) or (flat and relation in (*small.STANDING, "middle"))
         if self.target is not None and (told or (place and self.said.last.relation == "in")):
