@@ -384,6 +384,11 @@ def test_degrees_times_and_places_are_no_things(text: str, kinds: list[str]) -> 
 
 
 def test_what_is_flanked_is_what_stands_at_the_wall() -> None:
+    links = read("armchairs around a coffee table in the middle").parsed.links
+    assert [(link.relation, link.subjects[0].thing.noun.kind) for link in links] == [
+        ("around", "armchair"),
+        ("middle", "coffee table"),
+    ]
     links = read("two night stands flanking a bed against the north wall").parsed.links
     assert [(link.relation, link.subjects[0].thing.noun.kind) for link in links] == [
         ("flank", "night stand"),

@@ -341,8 +341,8 @@ class About(References):
         to = self._ahead().noun
         if self.target is not None and to is not None and last and relation in small.STANDING:  # "jars on shelves by"
             told = told or (last[0].topped and not (self.target.topped or to.category.on_object))
-        flanked = place and self.said.last.relation == "flank"  # "two lamps flanking a sofa by the window"
-        told = told or flanked or (relation == "above" and hung)  # "books on a shelf above the desk"
+        flanked = (place or relation == "middle") and self.said.last.relation in ("flank", "around")
+        told = told or flanked or (relation == "above" and hung)  # "books on a shelf above", "lamps flanking a sofa by"
         if self.target is not None and relation == "amid" and self._ahead().kind == "pron" and last:
             told = told or (last[0].laid and not self.target.laid)  # "tissues on a small table between them"
         flat = self.target is not None and self.target.flat  # "two armchairs on a rug in front of the fireplace"
