@@ -68,7 +68,7 @@ _SAID = {
     "at one end and ((?:a |an |the )?WORDS) at the (?:other|other end|opposite end)": "on the left and {1} on the right",
     "(in an? (?:u|horseshoe|semicircle|half circle)(?: shape| formation)?) open(?:ing)?(?: up)? (?:to|towards?)": "{1} facing",
     "(; a way [^.;]*?) and to(?= ONE )": "{1} and",
-    "(; a way [^.;,]*?) ,(?= ONE (?:[^.;]+ , ONE )*[^.;,]+ and ONE )": "{1} and",
+    "(; a way [^.;,]*?) ,(?= ONE (?:[^.;,]+ , ONE )*[^.;,]+ and ONE )": "{1} and",
 }
 """Phrases, and what is said in their place; groups stay as they are."""
 
@@ -83,7 +83,7 @@ _RULES = tuple((_compiled(phrase), said.split(), "LENGTH" in phrase) for phrase,
 
 
 def reworded(words: list[Token]) -> list[Token]:
-    """Return the words of a text with what says where bodies get as the parser knows it, each in the place of what it stands for."""
+    """Return the words of a text with such phrases as the parser knows them, each in the place of what it stands for."""
     for rule, said, figures in _RULES:
         starts = [0, *accumulate(len(word.text) + 1 for word in words)]
         for match in reversed([*rule.finditer(" ".join(word.text for word in words))]):
