@@ -69,12 +69,10 @@ class Added:
         self.cornered, self.bared = (
             self._roles_of(m.thing for k in links for m in k.subjects) for links in (corners, bare)
         )
-        beside = (
-            k for k in said if k.relation in ("next", "left", "right") and any(map(self._broad, named(k.subjects)))
-        )
-        self.cornered |= self._roles_of(
-            thing for k in beside for thing in named(k.objects)
-        )  # a bed with a crib beside it
+        # a bed with a crib beside it
+        next_to = (link for link in said if link.relation in ("next", "left", "right"))
+        beside = (link.objects for link in next_to if any(map(self._broad, named(link.subjects))))
+        self.cornered |= self._roles_of(thing for to in beside for thing in named(to))
         self.ceiling = (wishes.reading.measure("height") or (math.inf,))[0]
         self.found: dict[str, int] = {}
 

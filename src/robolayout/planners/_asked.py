@@ -236,6 +236,7 @@ def in_the_middle(demands: Iterable[Demand]) -> set[str]:
 
 
 def _amidst_the_room(demands: Iterable[Demand]) -> set[str]:
+    """Return what is asked to be near the middle of the room."""
     within = (one for one in said(demands) if isinstance(one, DistanceConstraint) and one.min_distance is None)
     return {one.a.name for one in within if isinstance(one.b, PointRef)}
 

@@ -86,8 +86,8 @@ def with_openings(
     taken |= high if len(taken | high) < len(order) else set[int]()
     free = [i for i in order if i not in taken]
     asked, amid = _wanted(wishes.reading, "window", more, OPENINGS.most_windows), _amid(wishes.reading)
-    at = _at_a_wall(room, wishes.reading)
-    free = [d.wall for d in doors] if "door" in amid else (at or free)[:1] if amid else free
+    if amid:
+        free = [d.wall for d in doors] if "door" in amid else (_at_a_wall(room, wishes.reading) or free)[:1]
     return replace(room, windows=tuple(_windows(room, free, asked, rng, spread=bool(amid))))
 
 
@@ -123,12 +123,8 @@ def _amid(reading: Reading) -> set[str]:
 def _at_a_wall(room: Room, reading: Reading) -> list[int]:
     """Return the walls at which something is asked to be that is between windows: "a bed on the north wall between two windows"."""
     links = reading.parsed.links
-    amid = {
-        thing
-        for link in links
-        if link.relation == "amid" and places(link.objects, "window")
-        for thing in named(link.subjects)
-    }
+    between = (link.subjects for link in links if link.relation == "amid" and places(link.objects, "window"))
+    amid = {thing for subjects in between for thing in named(subjects)}
     told = (at for link in links if amid & named(link.subjects) for at in places(link.objects, "wall") if at.words)
     return [wall for place in told for wall in _meant(room, place)]
 

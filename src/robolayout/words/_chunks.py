@@ -140,11 +140,8 @@ class Chunker(ClosedWords):
             if kind in ("and", "alone", "not") or (kind == "pron" and size > 1 and phrase != "the two"):
                 return Chunk(kind, at, at + size, phrase)
         word = self.words[at]
-        if (
-            word == "without"
-            and self._word(at + 1).endswith("ing")
-            and not self.lexicon.noun(self.words[at + 1 : at + 2])
-        ):
+        doing = self.words[at + 1 : at + 2] if word == "without" else []
+        if doing and doing[0].endswith("ing") and not self.lexicon.noun(doing):
             what = self._noun_phrase(at + 2)  # "without hitting the bed"
             return Chunk("other", at, what.end if what else at + 2, word)
         if word == "nothing" or (word in small.REFUSING and not self._bound(at)[0]):
