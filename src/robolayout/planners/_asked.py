@@ -124,7 +124,17 @@ def join_as_asked(cast: Mapping[str, Cast], demands: Sequence[Demand], passage: 
         if found[name].join.slot == "around" and found[name].anchor in laid:
             found[name] = elsewhere(name, found, laid)  # that table has its own seats
     found |= {name: found[name].alone for name in ringed(found, demands)}
+    found |= {name: one for name, one in _at_their_places(found, demands) if name not in wanted}
     return found | dict(_off_the_wall(found, demands))
+
+
+def _at_their_places(cast: Mapping[str, Cast], demands: Sequence[Demand]) -> Iterator[tuple[str, Cast]]:
+    """Yield what stands on a top and is asked to be before or near what stands on one, or sits at one: it is on the same."""
+    for a, b in (one.asset_names() for one in said(demands, placing=True) if len(one.asset_names()) == 2):
+        top = cast[b].anchor
+        at_one = top and cast[top].role.top and (cast[b].join.on_top or cast[b].role.name.endswith("seat"))
+        if at_one and cast[a].join.on_top and cast[a].asset.on_object:
+            yield a, replace(cast[a], anchor=top)
 
 
 def _at_right_angles(

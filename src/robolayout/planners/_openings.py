@@ -41,6 +41,10 @@ ANY = Place("wall")
 """Any wall."""
 
 
+AT_SIDES = ("left", "right", "flank", "next")
+"""Relations of what stands at the sides of a thing."""
+
+
 @dataclass(frozen=True)
 class Wanted:
     """Doors or windows that are asked for."""
@@ -154,7 +158,15 @@ def _held(room: Room, wishes: RoomWishes, least: float) -> set[int]:
 
 
 def _aside(room: Room, wall: int, along: float, wishes: RoomWishes, full: Set[int]) -> float:
-    """Return where along a wall (1 at its start) a door is: at its other end, or in the middle, where its end is to be free."""
+    """Return where along a wall (1 at its start) a door is: at its other end, or in the middle, where its end is to be free.
+
+    It is in the middle, too, where something is opposite to it at whose sides others stand, which have no room in a corner.
+    """
+    links = wishes.reading.parsed.links
+    across = (link.subjects for link in links if link.relation == "opposite" and places(link.objects, "door"))
+    middle = {thing for subjects in across for thing in named(subjects)}
+    if any(middle & named(link.objects) for link in links if link.relation in AT_SIDES):
+        return 0.5
     told = _placed(room, wishes, "corner")
     meant = [walls for walls, there in told if len(walls) == 2 and any(kind.on_floor for kind in there)]
     beside = ((wall - 1) % len(room.walls), (wall + 1) % len(room.walls))

@@ -352,11 +352,7 @@ class About(References):
             return [self.target]  # "toys in a box under the window"
         if relation in small.ORDERS and last and last[0].thing.count == 1:
             return list(self.group or self.subject)  # "fridge, stove and sink in a row"
-        if relation == "on" and last and last[0].laid and len(self.group) > 1:
-            it = self._ahead().kind == "pron"
-            linked = {m for link in self.said.links if not it or link.relation != "with" for m in link.subjects}
-            return [m for m in self.group if m.thing.category.on_object and m not in linked - {last[0]}]
-        return last
+        return self._laid(relation, last) or last
 
     def _shared(self, relation: str) -> bool:
         """Return whether a relation after a list is about all of it: "a sofa and an armchair in the corner".

@@ -263,7 +263,7 @@ class AtPlaces:
                 yield (near if a in self.surrounded else stated("corner", ref, vertex),)
         elif place.name in ("window", "door"):
             gap = (ways_of.AT_WINDOW if place.name == "window" else ways_of.AT_DOOR) * wider
-            gap = max(gap, ways_of.NEAR) if a in self.surrounded else gap  # seats are between it and there
+            gap = max(gap, ways_of.NEAR) if a in self.surrounded else round(gap, 2)  # seats are between it and there
             under = under and self._asset(a).on_floor and not self._asset(a).is_flat
             for opening, point in zip(openings_meant(self.room, place), self._points(place), strict=True):
                 held = (stated("against_wall", ref, WallRef(opening.wall)),) if under else ()

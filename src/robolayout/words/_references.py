@@ -42,6 +42,9 @@ class References(Spoken):
             number = before if before and before > 1 else None
         if number is None and chunk.plural and chunk.noun.kind in small.ONE_EACH and not self.said.things:
             number = self._people() or None  # "an office for four: desks ..."
+        if number is None and chunk.det == "each" and chunk.noun.kind in small.ONE_EACH:  # "in front of each chair"
+            sat_at = (max(t.people, 1) * t.count for t in self.said.things if t.people or t.head == "desk")
+            number = self._people() or next(sat_at, None)
         definite = chunk.det in ("the", "each", "all", "first", *small.SHARES)
         some = chunk.det == "one"  # "one of the two beds"
         number, number_of = (chunk.total, number) if some else (number, None)

@@ -261,6 +261,17 @@ class Spoken:
         wall = across or ((long or several) and (not own or self._ahead(-1).kind == "room"))
         return replace(place_of(chunk), name="wall") if chunk.value == "side" and wall else place_of(chunk)
 
+    def _laid(self, relation: str, last: list[Mention]) -> list[Mention]:
+        """Return all that was just named and is laid on something: "plates and glasses on the table", "... before each chair"."""
+        to = self._ahead()
+        if not last or len(self.group) < 2:
+            return []
+        if not (last[0].laid if relation == "on" else relation == "front" and to.det == "each" and last[0].topped):
+            return []
+        held = "with" if to.det == "each" or to.kind == "pron" else ""
+        linked = {m for link in self.said.links if link.relation != held for m in link.subjects}
+        return [m for m in self.group if m.thing.category.on_object and m not in linked - {last[0]}]
+
     def _listed_with(self, relation: str, subjects: list[Mention], objects: Sequence[Item]) -> list[Mention]:
         """Return what is at one side of what has it: "a sofa with a rug and a table in front of it"; chairs are around theirs."""
         last = self.said.last
