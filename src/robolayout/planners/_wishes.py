@@ -270,7 +270,7 @@ class RoomWishes:
         if thing.sizes or not thing.noun.kind.endswith("table"):
             return depth, width, height
         name = thing.noun.said if "oval" in thing.noun.said else thing.noun.kind
-        seats = math.ceil(_seats(thing, links)) or self._everyone(thing)
+        seats = math.ceil(_seats(thing, links)) or self._everyone(thing, links)
         sided = {link.sided for link in links} - {""}
         seats += ENDS if sided and "end" not in sided and thing.sides == 2 else 0
         told = {*thing.adjectives} & {*grammar().sizes}  # a long table for two stays long
@@ -290,15 +290,17 @@ class RoomWishes:
         pairs = (pair for link in on for pair in product(named(link.subjects), named(link.objects)))
         return [across for seat, rug in pairs if (across := self.ring(seat, rug))]
 
-    def _everyone(self, thing: NamedThing) -> int:
+    def _everyone(self, thing: NamedThing, links: Sequence[Link]) -> int:
         """Return how many sit at the only table that is named: all who are in the room, or as many as have a chair."""
         things = self.reading.parsed.things
         heads = [head(one.noun.kind) for one in things]
         low = thing.noun.kind in LOW
         if low or thing.count > 1 or heads.count("table") > 1 or {"desk", "counter", "island"} & {*heads}:
             return 0
-        chairs = sum(one.count for one, last in zip(things, heads, strict=True) if last == "chair")
-        return (self.reading.people if self._shared(self.kind(thing)) else 0) or chairs
+        chairs = [one for one in things if head(one.noun.kind) == "chair"]
+        seated = {one for link in links for one in named(link.subjects)}  # others in rows look at a lectern
+        there = sum(one.count for one in chairs if one in seated or not one.rows)
+        return (self.reading.people if self._shared(self.kind(thing)) else 0) or there
 
     def _seating(self, name: str, size: Size, seats: int) -> Size:
         """Return the size of a table with a place for so many: a larger one that is as deep as wide, else a longer one."""
