@@ -363,9 +363,10 @@ def _side_by_side(three: Sequence[Cast], passage: float) -> Iterator[tuple[str, 
     usual = middle.role.stands_beside(first.role.name)
     if not first.role.stands_beside(middle.role.name) and middle.asset.size[0] > GAPS.thin:
         usual = usual or all(one.asset.on_floor and one.role.stands[0] == "wall" for one in three)
-    if first.role is last.role and middle.role.name == "privacy screen":
-        yield last.name, (first.name, _beside(2 * GAPS.before + middle.asset.size[0], LEFT))
-        yield middle.name, (first.name, _beside(GAPS.before, PARTING))
+    parting = {"privacy screen": GAPS.before, "partition": GAPS.seated}.get(middle.role.name)
+    if first.role is last.role and parting is not None:
+        yield last.name, (first.name, _beside(2 * parting + middle.asset.size[0], LEFT))
+        yield middle.name, (first.name, _beside(parting, PARTING))
     elif first.role is last.role and usual:
         gap = max(GAPS.seated, (passage - middle.asset.size[1]) / 2)
         if middle.role.stands_beside(first.role.name):

@@ -50,6 +50,7 @@ class Sizes:
     seated: float = 1.2
     """Metres by which a room is longer and wider than the longest thing in it, where no size is given; more at ends of tables."""
     low: float = 1.2  # metres of height up to which a row of things hides no window
+    parted: float = 0.12  # metres that what is between two things of a row takes beside its own
 
 
 SIZES = Sizes()
@@ -287,7 +288,10 @@ def _blocks(wishes: RoomWishes) -> Iterator[tuple[float, float]]:
         at = place_in(link.objects, "wall") if link.relation == "wall" else None
         if line and (link.relation in ("row", "abreast") or (at is not None and at.at_one_wall)):
             sizes = [(one.count, *wishes.kinds[wishes.kind(one.thing)].size) for one in line]
-            wide = sum(count * width for count, _, width, _ in sizes) + SIZES.around
+            own = named(line)  # and what is between them
+            amid = {m for k in links if k.relation == "amid" and own & named(k.objects) for m in k.subjects}
+            parted = sum(m.count * (min(wishes.kinds[wishes.kind(m.thing)].size[:2]) + SIZES.parted) for m in amid)
+            wide = sum(count * width for count, _, width, _ in sizes) + parted + SIZES.around
             tall = max(height for *_, height in sizes) > SIZES.low
             yield wide, wide if tall else 0.0  # tall things need a wall without a window
         grouped = link.relation == "groups" and link.rows > 2
