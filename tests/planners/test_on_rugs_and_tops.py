@@ -151,3 +151,25 @@ def test_a_table_with_chairs_all_around_is_near_its_corner() -> None:
 def test_a_sofa_at_the_foot_of_a_bed_looks_away_from_it() -> None:
     run = rl.generate("A bedroom with a sofa at the foot of the bed", seed=0)
     assert math.cos(run.layout["sofa-0"].yaw - run.layout["bed-0"].yaw) > 0.99
+
+
+def test_what_is_before_each_seat_stands_on_the_table_of_that_seat() -> None:
+    run = rl.generate("A podcast room with a table, four chairs around the table and a microphone in front of every chair")
+    table = foot(run, "dining_table-0")
+    assert all(table.contains(foot(run, f"microphone-{i}")) for i in range(4)) and run.report.ok
+
+
+def test_a_camera_stands_on_a_tripod() -> None:
+    run = rl.generate("A photo studio with an armchair and a camera on a tripod in front of the armchair")
+    assert run.report.ok and foot(run, "tripod-0").contains(foot(run, "camera-0"))
+
+
+def test_a_table_is_not_as_long_as_chairs_in_rows_need() -> None:
+    scene, _ = rl.scene_from_sentence("three rows of five chairs facing a lectern and a table near the door")
+    assert max(scene.by_name["dining_table-0"].size) < 2.0
+
+
+def test_desks_in_a_row_have_room_for_the_partitions_between_them() -> None:
+    run = rl.generate("An office with four desks in a row with partitions between them")
+    assert {row.verdict for row in run.report.asked} == {"met"}
+    assert len({round(run.layout[f"desk-{i}"].yaw, 2) for i in range(4)}) == 1

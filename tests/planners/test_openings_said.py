@@ -108,3 +108,10 @@ def test_each_window_has_its_own(text: str) -> None:
         "1",
     ]
     assert len(middles) == 2 and rl.generate(scene).report.ok
+
+
+def test_a_door_is_in_the_middle_of_its_wall_where_a_counter_with_neighbours_is_opposite_to_it() -> None:
+    text = "a deli shop with the deli counter opposite the entrance and a display fridge to the left of the counter"
+    scene, _ = scene_from_sentence(text)
+    (door,) = scene.room.doors
+    assert abs(door.center - scene.room.walls[door.wall].length / 2) < 0.02

@@ -273,6 +273,10 @@ def test_metres_from_several_places_are_from_each() -> None:
         ("A breakfast bar with three stools overlooking the living room", {"kitchen island": 1, "bar stool": 3}),
         ("a meditation room with eight cushions in two rows", {"floor cushion": 8}),
         ("a litter box in the corner", {"litter box": 1}),
+        ("a table for six and a plate in front of each chair", {"dining table": 1, "plate": 6, "chair": 6}),
+        ("ten desks and a book in front of each chair", {"desk": 10, "book": 10, "chair": 10}),
+        ("four beds with curtains between the beds", {"bed": 4, "privacy screen": 3}),
+        ("ten desks in pairs with partitions between the desks", {"desk": 10, "partition": 5}),
     ],
 )
 def test_how_many_of_what(text: str, counts: dict[str, int]) -> None:
@@ -394,3 +398,8 @@ def test_what_is_flanked_is_what_stands_at_the_wall() -> None:
         ("flank", "night stand"),
         ("wall", "bed"),
     ]
+
+
+def test_what_lies_before_each_seat_is_all_that_was_listed() -> None:
+    link = read("A dining table with six chairs and a plate, a fork and a glass in front of each chair").parsed.links[-1]
+    assert [mention.thing.noun.kind for mention in link.subjects] == ["plate", "fork", "glass"]

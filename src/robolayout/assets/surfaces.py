@@ -7,9 +7,9 @@ that and from the parts: "top", "seat", "shelf 1" (the lowest), "drawer 2", so t
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
-from functools import cached_property, lru_cache
+from functools import cache, cached_property, lru_cache
 from itertools import count, pairwise, product
 from typing import Any
 
@@ -19,6 +19,7 @@ from numpy.typing import NDArray
 from shapely import Polygon
 
 from robolayout._errors import AssetError
+from robolayout.assets.category import read_data
 from robolayout.assets.fronts import TRAY
 from robolayout.assets.lexicon import category_of
 from robolayout.assets.part import Part
@@ -131,6 +132,24 @@ def outer_surfaces(asset: Asset) -> tuple[Surface, ...]:
     """Return what lies open on a thing, seats where it has them; all surfaces of a thing that covers them all."""
     every = tuple(s for s in surfaces_of(asset) if not s.is_hook)
     return tuple(s for s in every if s.is_seat) or tuple(s for s in every if not s.covered) or every
+
+
+@cache
+def _goods() -> Mapping[str, tuple[str, ...]]:
+    """Return the parts of things of a kind that are drawn for what they hold."""
+    data = read_data("dressing.toml")
+    rules = [(name, rule["clears"]) for rule in data["rule"] if "clears" in rule for name in rule["on"]]
+    return {name: tuple(parts) for name, parts in (*rules, *data["goods"].items())}
+
+
+def emptied(asset: Asset, sizes: Iterable[tuple[float, float, float]]) -> Asset:
+    """Return a thing on which things of some sizes are to lie: without what is drawn on it, where that leaves them no room."""
+    goods = _goods().get(category_of(asset).name, ())
+    bare = replace(asset, without=(*asset.without, *goods))
+    firm = {round(surface.height, 3) for surface in outer_surfaces(bare)} if goods else set[float]()
+    free = [surface for surface in outer_surfaces(asset) if round(surface.height, 3) in firm]  # no top of what is drawn
+    fits = all(any(surface.holds(size) for surface in free) for size in sizes)
+    return asset if fits or not goods else bare
 
 
 def inner_surfaces(asset: Asset) -> tuple[Surface, ...]:

@@ -224,6 +224,8 @@ class RoomWishes:
         name, shown = self.kind(thing), self._shown(thing)
         kind = self.lexicon.kinds[name]
         told = {"square", *(SIZE_WORDS if name != thing.noun.kind else ())} & {*thing.noun.said.split()}
+        on = (link for link in self.reading.parsed.links if link.relation == "on" and thing in named(link.subjects))
+        told |= {"tabletop" for link in on for at in mentions(link.objects) if not at.flat}
         if name in self.meshes:
             size = sized(kind, (), thing.sizes)
         else:

@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
@@ -19,11 +19,12 @@ from robolayout._reading import whole
 from robolayout.assets import CATALOGUE, Category, own_assets, own_kinds
 from robolayout.assets.catalogue import Entry
 from robolayout.assets.palette import PALETTES
+from robolayout.assets.surfaces import emptied
 from robolayout.constraints.in_shape import shape_slots
 from robolayout.planners._added import COMFORT, LARGER, SEATS, SPARE, Added, both
 from robolayout.planners._knowledge import DATA, load_knowledge
 from robolayout.planners._openings import with_openings
-from robolayout.planners._wishes import LOW, RoomWishes, head, read_wishes
+from robolayout.planners._wishes import LOW, RoomWishes, Size, head, read_wishes
 from robolayout.scene import FLAT_HEIGHT, Agent, Room, Scene, load_agent, scene_from_dict, variable_name
 from robolayout.words import COUNTERS, CROWD, SHAPES, dressing, named, place_in, places, visits
 
@@ -143,7 +144,18 @@ def scene_from_sentence(
         text.strip(), kind, size, wishes.reading.shape, height, who, wished, added, assumed, wishes.ignored
     )
     entries = {name: entry for name, (_, entry) in meshes.items() if name in wishes.meshes}
-    return scene_from_dict(_scene(found, wishes, rng, entries, bodies, varied=variant > 0), asset_dir=assets), found
+    scene = scene_from_dict(_scene(found, wishes, rng, entries, bodies, varied=variant > 0), asset_dir=assets)
+    return _emptied(scene, wishes), found
+
+
+def _emptied(scene: Scene, wishes: RoomWishes) -> Scene:
+    """Return a scene in which that on which words put something has nothing drawn on it that is in the way."""
+    laid: dict[str, list[Size]] = {}
+    for link in (link for link in wishes.reading.parsed.links if link.relation in ("on", "in", "with")):
+        kinds = [kind for one in link.subjects if (kind := wishes.kinds[wishes.kind(one.thing)]).on_object]
+        for bearer in named(link.objects):
+            laid.setdefault(wishes.kinds[wishes.kind(bearer)].name, []).extend(kind.size for kind in kinds)
+    return replace(scene, assets=tuple(emptied(one, laid.get(one.category, ())) for one in scene.assets))
 
 
 def _wished(wishes: RoomWishes) -> dict[str, int]:
@@ -187,7 +199,19 @@ def _wished(wishes: RoomWishes) -> dict[str, int]:
         wished[name] += new
         wished["office chair"] += new * (head(name) == "desk" and "office chair" in wished)
     wished["office chair"] += _at_meeting_tables(wishes, wished)
+    wished["side table"] += _without_a_top(wishes, {**wished, **room.base})
     return dict(+wished) | lounge
+
+
+def _without_a_top(wishes: RoomWishes, present: Mapping[str, int]) -> bool:
+    """Return whether something can only stand on others of which none is there, nor asked to bear it: "a room with a vase"."""
+    links = (k for k in wishes.reading.parsed.links if k.relation == "stacked" or named(k.objects))
+    laid = {thing for link in links for thing in named(link.subjects)}
+    alone = (kind.name for thing, kind in wishes.asked.items() if kind.places == ("object",) and thing not in laid)
+    playing = wishes.playing(present).values()
+    there = {role.name for role in playing}
+    joined = {name: {to for join in role.joins for to in join.of} for name, role in wishes.playing(present).items()}
+    return not any(role.top for role in playing) and any(not joined.get(name, set()) & there for name in alone)
 
 
 def _at_meeting_tables(wishes: RoomWishes, wished: Mapping[str, int]) -> int:

@@ -327,7 +327,8 @@ class About(References):
         heads = [mention.thing.head for mention in self.group[-2:]]
         seated = len(heads) > 1 and heads[0] in small.TOPS and heads[1] in ("chair", "stool")
         lined = seated and relation in ("rows", "columns") and self.group[-2].several  # "desks and chairs in rows"
-        if len(self.group) > 1 and (lined or does or self._shared(relation)):
+        laid = self._laid(relation, last)
+        if len(self.group) > 1 and (lined or does or (self._shared(relation) and (relation == "on" or not laid))):
             own = seated and (lined or (self._ahead().kind == "part" and following != "side"))
             return self.group[-2 if lined else 0 : len(self.group) - own]  # "a table and four chairs by the window"
         on_tops = self.target is not None and self.target.thing.category.on_object
@@ -352,7 +353,7 @@ class About(References):
             return [self.target]  # "toys in a box under the window"
         if relation in small.ORDERS and last and last[0].thing.count == 1:
             return list(self.group or self.subject)  # "fridge, stove and sink in a row"
-        return self._laid(relation, last) or last
+        return laid or last
 
     def _shared(self, relation: str) -> bool:
         """Return whether a relation after a list is about all of it: "a sofa and an armchair in the corner".

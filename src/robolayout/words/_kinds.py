@@ -9,7 +9,9 @@ from robolayout.assets import CATALOGUE
 from robolayout.assets.lexicon import phrase_index
 from robolayout.scene import FLAT_HEIGHT
 from robolayout.words import _function_words as small
-from robolayout.words._said import Link, NamedThing, Parsed, Place, mentions, place_in
+from robolayout.words._chunk import Chunk
+from robolayout.words._lexicon import grammar
+from robolayout.words._said import Link, NamedThing, Parsed, Place, mentions, named, place_in
 
 
 def settle_kinds(parsed: Parsed) -> None:
@@ -23,6 +25,7 @@ def settle_kinds(parsed: Parsed) -> None:
     music = bool({thing.noun.kind for thing in parsed.things} & small.INSTRUMENTS) and not heads & {"desk", "computer"}
     _settle_by_company(parsed, heads)
     _settle_visitors(parsed)
+    _settle_drawn(parsed)
     for thing in parsed.things:
         if thing.noun.said == "keyboard" and music:
             _take(thing, "digital piano")
@@ -85,6 +88,19 @@ def _settle_visitors(parsed: Parsed) -> None:
         if link.relation == "front" and hosts & {one.thing for one in mentions(link.objects)}:
             for thing in (one.thing for one in link.subjects if one.thing.noun.said == "chair"):
                 thing.noun = replace(thing.noun, words="visitor chair", said="visitor chair", others=())
+
+
+def _settle_drawn(parsed: Parsed) -> None:
+    """Leave to things what is drawn on them: coats on a coat rack, and no things of their own."""
+    found = list[NamedThing]()
+    for link in (link for link in parsed.links if link.relation in ("on", "in", "with")):
+        drawn = {kind for bearer in named(link.objects) for kind in grammar().drawn.get(bearer.noun.kind, ())}
+        found += [one.thing for one in link.subjects if drawn & {one.thing.noun.kind, one.thing.noun.said}]
+    for thing in dict.fromkeys(found):
+        parsed.things.remove(thing)
+        parsed.facts += [Chunk("function", *span, thing.noun.said) for span in thing.spans]
+        about = (replace(k, subjects=tuple(one for one in k.subjects if one.thing is not thing)) for k in parsed.links)
+        parsed.links[:] = [link for link in about if link.subjects or link.relation == "bare"]
 
 
 def _take(thing: NamedThing, kind: str) -> None:

@@ -40,6 +40,7 @@ class Grammar:
     models: Mapping[str, tuple[float, float, float]]  # sizes in metres by adjective and kind ("king bed")
     kinds: Mapping[str, str]  # nearest kinds of nouns that the catalogue does not have
     groups: Mapping[str, tuple[str, ...]]  # last words of the kinds that nouns for several of them mean
+    drawn: Mapping[str, tuple[str, ...]]  # what is drawn on a thing of a kind, and no thing of its own there
     heads: Mapping[str, str]  # nearest kinds by last word
     places: Mapping[str, str]  # nearest room types of places by last word
     airy: frozenset[str]  # words of rooms whose floor stays largely free
@@ -72,7 +73,7 @@ def grammar() -> Grammar:
         lists[name] = frozenset(map(plain, data[name]["words"]))
     for name in ("parts", "walls", "kinds", "heads", "places", "floors"):
         lists[name] = {word: key for key, words in data[name].items() for word in words}
-    for name in ("sizes", "models", "groups", "cosy", "dress"):
+    for name in ("sizes", "models", "groups", "drawn", "cosy", "dress"):
         lists[name] = {key: tuple(row) for key, row in data[name].items()}
     lists["sizes"] |= dict.fromkeys((*data["exclusive"]["shape"], "circular", "medium"), (1.0, 1.0, 1.0))
     return Grammar(phrases=phrases, exclusive=tuple(map(frozenset, data["exclusive"].values())), **lists)
