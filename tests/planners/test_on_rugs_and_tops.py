@@ -154,7 +154,9 @@ def test_a_sofa_at_the_foot_of_a_bed_looks_away_from_it() -> None:
 
 
 def test_what_is_before_each_seat_stands_on_the_table_of_that_seat() -> None:
-    run = rl.generate("A podcast room with a table, four chairs around the table and a microphone in front of every chair")
+    run = rl.generate(
+        "A podcast room with a table, four chairs around the table and a microphone in front of every chair"
+    )
     table = foot(run, "dining_table-0")
     assert all(table.contains(foot(run, f"microphone-{i}")) for i in range(4)) and run.report.ok
 

@@ -63,6 +63,7 @@ class Added:
             instead = ("desk", "pew", "sofa", "armchair", "rug") if any(mention.sat_on for mention in formed) else ()
             usual = (*wishes.room.base, *wishes.room.extras)
             self.spared |= {name for name in usual if name.endswith((*instead, "conference table", "dining table"))}
+        self.spared |= {"pew"} if wishes.audience else set()
         self.named = self.spared | self.wished.keys()
         corners = [k for k in said if k.relation in ("corner", "cleared") or place_in(k.objects[:1], "corner")]
         bare = [link for link in corners if link.relation == "cleared" and link.objects[1:]]

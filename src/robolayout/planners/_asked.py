@@ -23,7 +23,7 @@ from robolayout.planners._knowledge import ON_ANY, Join, usual_say
 from robolayout.planners._roles import Cast, chain, elsewhere
 from robolayout.program import Program
 from robolayout.scene import Scene
-from robolayout.words import Demand
+from robolayout.words import CROWD, Demand
 
 
 @dataclass(frozen=True)
@@ -123,7 +123,7 @@ def join_as_asked(cast: Mapping[str, Cast], demands: Sequence[Demand], passage: 
     for name in [name for name in found if name not in wanted]:
         if found[name].join.slot == "around" and found[name].anchor in laid:
             found[name] = elsewhere(name, found, laid)  # that table has its own seats
-    found |= {name: found[name].alone for name in ringed(found, demands)}
+    found |= {name: found[name].alone for name in (*ringed(found, demands), *audience(found, demands))}
     found |= {name: one for name, one in _at_their_places(found, demands) if name not in wanted}
     return found | dict(_off_the_wall(found, demands))
 
@@ -194,6 +194,19 @@ def subjects(demands: Iterable[Demand]) -> set[str]:
 def formed(demands: Iterable[Demand]) -> set[str]:
     """Return what is asked to stand in a circle or the like."""
     return {name for one in said(demands) if isinstance(one, InShape) for name in one.asset_names()}
+
+
+def audience(cast: Mapping[str, Cast], demands: Sequence[Demand]) -> list[str]:
+    """Return the crowd of seats of which no more is asked than that they face a thing: they sit in rows before it."""
+    turned = [({one.name for one in demand.ways[0]}, demand) for demand in demands]
+    looks = {one.asset_names()[0] for names, demand in turned if names == {"point_towards"} for one in demand.ways[0]}
+    placed = subjects(demand for names, demand in turned if names not in ({"point_towards"}, {"align_with"}))
+    for demand in (demand for names, demand in turned if names == {"align_with"} and len(demand.ways) == 1):
+        pairs = [names for one in demand.ways[0] if len(names := one.asset_names()) == 2]
+        like, crowd = {to for _, to in pairs}, {name for pair in pairs for name in pair}
+        if len(crowd) >= CROWD and len(like) == 1 and like <= looks and not crowd & placed:
+            return [name for name in cast if name in crowd]
+    return []
 
 
 def rowed(demands: Iterable[Demand]) -> set[str]:

@@ -17,6 +17,7 @@ from robolayout.constraints.in_shape import circle_across
 from robolayout.planners._knowledge import DATA, Knowledge, Role
 from robolayout.scene import FLAT_HEIGHT
 from robolayout.words import (
+    CROWD,
     KIN,
     SHAPES,
     Lexicon,
@@ -167,6 +168,15 @@ class RoomWishes:
         """Return whether a thing is asked to be at a place of the room."""
         links = (k for k in self.reading.parsed.links if thing in named(k.subjects) and k.relation != "cleared")
         return any(isinstance(item, Place) for link in links for item in link.objects)
+
+    @cached_property
+    def audience(self) -> set[NamedThing]:
+        """The seats of which a crowd looks at something, and nothing else is told than its rows."""
+        links = self.reading.parsed.links
+        facing = (k for k in links if k.relation == "facing" and not any(to.several for to in mentions(k.objects)))
+        looking = {one.thing for k in facing for one in k.subjects if one.sat_on}
+        told = {thing for k in links if k.relation not in ("facing", "rows") for thing in named(k.subjects)}
+        return {thing for thing in looking - told if thing.count >= CROWD}
 
     @property
     def general(self) -> frozenset[str]:

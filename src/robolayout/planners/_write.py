@@ -16,7 +16,7 @@ from robolayout.planners import _asked as asked
 from robolayout.planners._knowledge import DATA, Face
 from robolayout.planners._roles import Cast, chain, passage
 from robolayout.scene import Scene
-from robolayout.words import Demand
+from robolayout.words import Demand, rows_of
 
 
 @dataclass(frozen=True)
@@ -49,7 +49,8 @@ class Writer:
     def __init__(self, scene: Scene, cast: Mapping[str, Cast], words: Sequence[Demand]) -> None:
         self.scene, self.cast = scene, cast
         self.asked = asked.subjects(words)  # of these roles only wish where they stand
-        self.ringed, self.rowed = asked.ringed(cast, words), asked.rowed(words)
+        self.ringed, self.audience = asked.ringed(cast, words), asked.audience(cast, words)
+        self.rowed = asked.rowed(words)
         # before their corner, the wall for all of a row or the floor of a ring is taken
         self.first = asked.needing_room(cast, words) | self.ringed.keys()
         self.walled, self.formed = asked.held_by_walls(words), asked.formed(words)
@@ -141,6 +142,10 @@ class Writer:
         bound = SAYING.joined if self._leans(item) or name in self.asked else None
         if name in self.ringed:
             yield from self._in_a_ring(name)
+        elif name in self.audience:
+            if name == self.audience[-1]:
+                rows = rows_of(len(self.audience))
+                yield f"solver.in_rows({self._list(self.audience)}, aisle=0, rows={rows})"
         elif modes[0] in ("hang", "ceiling", "rug"):
             yield from self._off_the_floor(item, modes[0])
         elif modes == ["corner"]:

@@ -291,11 +291,12 @@ class Demander(AtSides):
         if {*subjects} <= {*self.told.shape}:
             yield from self.told.opening(subjects, [AssetRef(b) for b in others] or self._points(it.place))
             return
-        if len(others) < 2 and (one := self.told.before(subjects)):  # the others look as it does
+        seated = all(self._is(a, (*small.SEATS, "floor cushion")) for a in subjects)
+        if len(others) < 2 and (one := self.told.before(subjects, seated=seated)):  # the others look as it does
             yield Demand((tuple(stated("align_with", AssetRef(a), AssetRef(*one)) for a in subjects if a not in one),))
             subjects = one
         elif len(subjects) >= ways_of.CROWD and 0 < len(others) < len(subjects) and alike(self.scene, subjects):
-            turn = 180.0 - self._looks(subjects[0])[0]  # a crowd looks one way
+            turn = (180.0 - self._looks(subjects[0])[0] + self._looks(others[0])[0]) % 360.0  # a crowd looks one way
             yield from (single(stated("align_with", AssetRef(a), AssetRef(others[0]), turn)) for a in subjects)
             return
         for i, a in enumerate(subjects):

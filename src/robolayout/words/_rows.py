@@ -13,7 +13,7 @@ from robolayout.constraints.in_shape import InShape
 from robolayout.scene import Room, Scene
 from robolayout.words import _function_words as small
 from robolayout.words._said import Link
-from robolayout.words._ways import ACROSS, AISLE, BACK, BESIDE, NEAR, looks_over
+from robolayout.words._ways import ACROSS, AISLE, BACK, BESIDE, CROWD, NEAR, looks_over, rows_of
 from robolayout.words.demands import Demand, single, stated
 
 WIDER = 1.5
@@ -106,16 +106,18 @@ class ToldRows:
         count = max(self.each[names[0]], 1)
         return [names[i : i + count] for i in range(0, len(names), count)]
 
-    def before(self, names: Sequence[str], others: Sequence[str] = ()) -> list[str]:
+    def before(self, names: Sequence[str], others: Sequence[str] = (), *, seated: bool = False) -> list[str]:
         """Return the middle one of straight rows, or of several abreast, that look at another thing or stand before it.
 
-        None where all of a row fit before it.
+        None where all of a row fit before it. A crowd that is `seated` stands in rows, though nobody says so.
         """
         wide = sum(self.scene.by_name[name].size[1] for name in names)
         if len(names) < 2 or any(wide <= self.scene.by_name[other].size[1] for other in others):
             return []
         if len(names) > 2 and self.in_rows(names):
             return [names[self.abreast[names[0]] // 2]]
+        if seated and len(names) >= CROWD and names[0] not in self.shape and alike(self.scene, names):
+            return [names[math.ceil(len(names) / rows_of(len(names))) // 2]]
         middles = {self.middle.get(name) for name in names}
         return [name for name in names if middles == {name}]
 

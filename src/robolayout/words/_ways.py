@@ -159,6 +159,11 @@ def visits(category: str) -> bool:
     return not {"visitor", "guest", "client", "patient"}.isdisjoint(category.split())
 
 
+def rows_of(count: int) -> int:
+    """Return in how many rows so many seats stand before what they face."""
+    return max(2, math.isqrt(count))
+
+
 def looks_over(asset: Asset) -> bool:
     """Return whether who sits at a thing looks over its back: at a desk or table, not at a reception desk."""
     kinds = [kind for kind in (asset.category, asset.like) if kind.endswith(("desk", "table"))]

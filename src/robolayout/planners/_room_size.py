@@ -1,0 +1,144 @@
+"""How large a room is: as said, else as large as what is wished needs, with its rows, blocks and circles."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+
+from robolayout._errors import SceneError
+from robolayout.constraints.in_shape import shape_slots
+from robolayout.planners._wishes import RoomWishes
+from robolayout.scene import FLAT_HEIGHT
+from robolayout.words import CROWD, SHAPES, named, place_in, places, rows_of
+
+
+@dataclass(frozen=True)
+class Sizes:
+    """How large a room is made, and how full."""
+
+    fullest: float = 0.55  # share of the floor that wished things may take before the wish is called impossible
+    roomy: float = 0.22
+    aisled: float = 0.18
+    """Share of the floor that wished things take where no size is given, and where some are told to stand in so many rows."""
+    stretch: float = 0.25
+    """Logarithm of the factor by which variants of a room are longer or shorter than usual at the most."""
+    for_two: float = 1.2  # metres of a table's longer side up to which two sit at it, if nobody says how many
+    between: float = 1.25
+    aisle: float = 0.75
+    around: float = 0.7
+    before: float = 2.0
+    """Metres between rows of desks, between other rows, beside and behind a block of rows, and before it."""
+    apart: tuple[float, float] = (0.35, 0.85)
+    """Metres between neighbours in a half circle, and in a circle, which one enters."""
+    walkway: float = 0.6
+    seated: float = 1.2
+    """Metres by which a room is longer and wider than the longest thing in it, where no size is given; more at ends of tables."""
+    low: float = 1.2  # metres of height up to which a row of things hides no window
+    parted: float = 0.12  # metres that what is between two things of a row takes beside its own
+
+
+SIZES = Sizes()
+
+
+def room_size(wishes: RoomWishes, wished: Mapping[str, int], stretch: float) -> tuple[float, float]:
+    """Return width and depth in metres: as asked, else usual ones, enlarged for what is wished, one side stretched."""
+    if wishes.reading.size is not None:
+        return wishes.reading.size
+    width, depth = wishes.room.size
+    standing = [kind for name in wished if (kind := wishes.kinds[name]).on_floor]
+    sides = (max(kind.size[:2]) + SIZES.seated * kind.name.endswith("table") for kind in standing)
+    longest = max(sides, default=0.0)
+    given = wishes.reading.measure("area")
+    usual = width * depth * wishes.reading.scale
+    share = SIZES.aisled if any(link.rows for link in wishes.reading.parsed.links) else SIZES.roomy
+    share /= min(wishes.reading.scale, 1.0)
+    instead = {*map(wishes.head, wished)}  # a bunk bed stands there in place of a bed
+    base = {name: count for name, count in wishes.room.base.items() if wishes.head(name) not in instead}
+    area = given[0] if given else max(usual, wishes.floor_area({**base, **wished}) / share)
+    if wishes.reading.shape == "L-shaped":
+        area *= 1.2
+    ratio = 1.0 if wishes.reading.square else stretch * width / depth
+    width = max(math.sqrt(area * ratio), longest + SIZES.walkway)
+    if given is not None:
+        return (round(width, 2), round(area / width, 2))
+    depth = max(area / width, longest + SIZES.walkway)
+    short, long = sorted((width, depth))
+    for across, ahead in _blocks(wishes):  # the longer side of a room holds the longer side of a block
+        short, long = (max(pair) for pair in zip((short, long), sorted((across, ahead)), strict=True))
+    width, depth = (short, long) if width <= depth else (long, short)
+    return (round(width, 2), round(depth, 2))
+
+
+def _blocks(wishes: RoomWishes) -> Iterator[tuple[float, float]]:
+    """Yield how wide and how deep rows and blocks that are told are in metres, with what stands before them and ways around."""
+    links = wishes.reading.parsed.links
+    for link in links:
+        line = [mention for mention in link.subjects if mention.thing.category.on_floor]
+        at = place_in(link.objects, "wall") if link.relation == "wall" else None
+        if line and (link.relation in ("row", "abreast") or (at is not None and at.at_one_wall)):
+            sizes = [(one.count, *wishes.kinds[wishes.kind(one.thing)].size) for one in line]
+            own = named(line)  # and what is between them
+            amid = {m for k in links if k.relation == "amid" and own & named(k.objects) for m in k.subjects}
+            parted = sum(m.count * (min(wishes.kinds[wishes.kind(m.thing)].size[:2]) + SIZES.parted) for m in amid)
+            wide = sum(count * width for count, _, width, _ in sizes) + parted + SIZES.around
+            tall = max(height for *_, height in sizes) > SIZES.low
+            yield wide, wide if tall else 0.0  # tall things need a wall without a window
+        grouped = link.relation == "groups" and link.rows > 2
+        for thing in named(link.subjects) if link.relation in SHAPES or grouped else ():
+            kind = wishes.kind(thing)
+            depth, width, _ = wishes.kinds[kind].size
+            apart = SIZES.apart[link.relation == "circle" or grouped]
+            shape = SHAPES.get(link.relation, "circle")
+            slots = shape_slots(shape, max(link.rows if grouped else thing.count, 3), depth, width, apart)
+            round_it = max(depth, width) + 2 * SIZES.around + SIZES.walkway * kind.endswith(("desk", "table"))
+            wide, deep = (max(at[k] for at in slots) - min(at[k] for at in slots) + round_it for k in (1, 0))
+            if grouped:  # each a circle of seats, in two rows
+                yield math.ceil(thing.count / link.rows / 2) * wide, min(2, thing.count // link.rows) * deep
+                continue
+            before = any(k.relation in ("facing", "front") and thing in named(k.subjects) for k in links)
+            yield wide, deep + SIZES.before * before
+            yield wide * before, wide * before  # what is before it may be at any wall
+        for ring in wishes.rings([link]):
+            yield ring + 2 * SIZES.around, ring + 2 * SIZES.around
+        for thing in named(link.subjects) if link.relation == "cleared" else ():
+            depth, width, _ = wishes.kinds[wishes.kind(thing)].size
+            at = [side for place in places(link.objects) for side in place.words]
+            across, ahead = (sum(side in at for side in two) for two in (("left", "right"), ("front", "back")))
+            wide, deep = width + across * link.metres[0], depth + ahead * link.metres[0]
+            beside = (0.0, SIZES.around, SIZES.before)  # what stands beyond, at no side, one or two
+            yield wide + beside[across], deep + beside[ahead]
+        spaced = link.relation == "apart" and not link.objects and len(line) == 1 and line[0].thing.count >= CROWD
+        crowd = link.relation == "rows" and line and (link.rows > 1 or (not link.rows and line[0].thing.count >= CROWD))
+        told = {thing for k in links if k.relation == "rows" for thing in named(k.subjects)}
+        looking = link.relation == "facing" and bool(wishes.audience & named(line) - told)
+        for thing in [one.thing for one in link.subjects if spaced or crowd or looking][:1]:
+            kind, rows = wishes.kind(thing), thing.rows if spaced else link.rows
+            depth, width, height = wishes.kinds[kind].size
+            rows = rows_of(thing.count) if looking else rows
+            rows, gap = (rows, 0.0) if rows > 0 else (math.ceil(math.sqrt(thing.count)), link.metres[0])
+            each = math.ceil(thing.count / rows)
+            aisle = SIZES.between if kind.endswith(("desk", "table")) else SIZES.aisle * (height >= FLAT_HEIGHT)
+            aisle += link.metres[0] * spaced
+            ahead = rows * (depth + aisle) + SIZES.around + SIZES.before
+            watching = any(k.relation == "facing" and thing in named(k.subjects) for k in links)
+            yield each * (width + gap) + 2 * SIZES.around, ahead
+            yield ahead * watching, ahead  # what they watch may be at any wall
+
+
+def possible(wishes: RoomWishes, wished: Mapping[str, int], size: tuple[float, float]) -> None:
+    """Refuse wishes that no arrangement can meet."""
+    there, need = wishes.floor(size), wishes.floor_area(wished)
+    if need > SIZES.fullest * there:
+        things = ", ".join(f"{count} x {name}" for name, count in wished.items())
+        raise SceneError(
+            f"{things} need {need:.1f} m2 of floor, and a room of {size[0]:g} x {size[1]:g} m has {there:.1f} m2, of which "
+            f"{SIZES.fullest:.0%} can be furnished; ask for a room of at least {math.ceil(need / SIZES.fullest)} m2 or for fewer things."
+        )
+    for name in wished:
+        kind = wishes.kinds[name]
+        if kind.on_floor and (max(kind.size[:2]) > max(size) or min(kind.size[:2]) > min(size)):
+            raise SceneError(
+                f"a {name} of {kind.size[0]:g} x {kind.size[1]:g} m does not fit into a room of {size[0]:g} x {size[1]:g} m; "
+                "ask for a larger room or leave it out."
+            )
