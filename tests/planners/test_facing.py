@@ -215,3 +215,27 @@ def test_racks_with_an_aisle_between_them_face_each_other_across_it() -> None:
     assert len(apart) == 4
     assert min(apart) > 1.15
     assert {round(math.cos(result.layout[a].yaw - result.layout[racks[0]].yaw)) for a in racks} == {1, -1}
+
+
+@pytest.mark.parametrize(
+    ("text", "seat", "to"),
+    [
+        ("A chapel with an altar and fifteen chairs facing the altar", "chair", "altar"),
+        ("A room with a projection screen and ten chairs facing the screen", "chair", "projection_screen"),
+        ("A classroom with a teacher desk and twelve chairs facing it", "chair", "teacher_desk"),
+    ],
+)
+def test_a_crowd_that_faces_something_sits_in_rows_before_it(text: str, seat: str, to: str) -> None:
+    run = made(text)
+    seats = [pose for name, pose in run.layout.items() if name.startswith(f"{seat}-")]
+    yaw, thing = seats[0].yaw, run.layout[f"{to}-0"]
+    ahead = {round(pose.x * math.cos(yaw) + pose.y * math.sin(yaw), 1) for pose in seats}
+    assert len(ahead) == max(2, math.isqrt(len(seats))) and run.report.ok
+    assert max(ahead) < thing.x * math.cos(yaw) + thing.y * math.sin(yaw)
+    assert "pew-0" not in run.layout
+
+
+def test_pupils_look_at_their_teacher() -> None:
+    run = made("a classroom with ten desks facing the teacher's desk")
+    turn = run.layout["student_desk-0"].yaw - run.layout["teacher_desk-0"].yaw
+    assert math.cos(turn) < -0.99 and run.report.ok

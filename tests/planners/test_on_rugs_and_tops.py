@@ -175,3 +175,43 @@ def test_desks_in_a_row_have_room_for_the_partitions_between_them() -> None:
     run = rl.generate("An office with four desks in a row with partitions between them")
     assert {row.verdict for row in run.report.asked} == {"met"}
     assert len({round(run.layout[f"desk-{i}"].yaw, 2) for i in range(4)}) == 1
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "a dumbbell rack and dumbbells on the dumbbell rack",
+        "a lectern and a laptop on the lectern",
+        "a host stand and a lamp on the host stand",
+        "a plant stand and potted plants on the plant stand",
+        "a plant stand and flower buckets on the plant stand",
+        "a produce stand and fruit on the produce stand",
+        "a pallet rack and boxes on the pallet rack",
+        "a grand piano and a vase on the grand piano",
+        "a radiator and a vase on the radiator",
+        "a cabinet and a fish tank on the cabinet",
+    ],
+)
+def test_what_is_drawn_on_a_thing_makes_room_for_what_is_put_there(text: str) -> None:
+    run = rl.generate(f"A room with {text}", seed=0)
+    assert run.report.ok and {row.verdict for row in run.report.asked} == {"met"}
+
+
+@pytest.mark.parametrize(
+    ("text", "drawn"),
+    [
+        ("a clothes rack with shirts", "clothes"),
+        ("a coat rack with coats on it", "clothes"),
+        ("towels on the towel rack", "towel"),
+        ("an easel with a painting on it", "picture"),
+        ("a music stand with sheet music", "blanket"),
+    ],
+)
+def test_what_is_drawn_on_a_thing_is_no_thing_of_its_own(text: str, drawn: str) -> None:
+    scene, found = scene_from_sentence(f"A shop with {text}")
+    assert drawn not in found.wished and len(scene.assets) > 1
+
+
+def test_a_vase_alone_gets_a_table() -> None:
+    run = rl.generate("A room with a vase", seed=0)
+    assert foot(run, "side_table-0").contains(foot(run, "vase-0").centroid) and run.report.ok

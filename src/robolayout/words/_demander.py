@@ -33,7 +33,8 @@ class Demander(AtSides):
         self.cornered = frozenset(a for _, it in asked if it.place and it.place.name == "corner" for a in it.subjects)
         self.askew = {name for link, it in asked if link.relation == "diagonal" for name in it.subjects}
         twos = [(link.relation, *two) for link, it in asked for two in it.twos]
-        sat_on = {a for _, a, _ in twos if self._is(a, small.SEATS)}
+        self.put = {a for _, a, _ in twos}  # what stands at another thing
+        sat_on = {a for a in self.put if self._is(a, small.SEATS)}
         seats = Counter(b for how, a, b in twos if how in ("with", "around") and a in sat_on)
         on_floor = [(how, a, b) for how, a, b in twos if self._asset(a).on_floor]
         backed = {b for how, a, b in on_floor if how == "flank" or (how == "behind" and a not in sat_on)}
@@ -291,12 +292,12 @@ class Demander(AtSides):
         if {*subjects} <= {*self.told.shape}:
             yield from self.told.opening(subjects, [AssetRef(b) for b in others] or self._points(it.place))
             return
-        seated = all(self._is(a, (*small.SEATS, "floor cushion")) for a in subjects)
-        if len(others) < 2 and (one := self.told.before(subjects, seated=seated)):  # the others look as it does
+        if len(others) < 2 and (one := self.told.before(subjects, facing=True)):  # the others look as it does
             yield Demand((tuple(stated("align_with", AssetRef(a), AssetRef(*one)) for a in subjects if a not in one),))
             subjects = one
         elif len(subjects) >= ways_of.CROWD and 0 < len(others) < len(subjects) and alike(self.scene, subjects):
-            turn = (180.0 - self._looks(subjects[0])[0] + self._looks(others[0])[0]) % 360.0  # a crowd looks one way
+            across = 180.0 * (self._is(others[0], ("teacher desk",)) and others[0] not in self.put)
+            turn = (180.0 + across - self._looks(subjects[0])[0]) % 360.0  # a crowd looks one way
             yield from (single(stated("align_with", AssetRef(a), AssetRef(others[0]), turn)) for a in subjects)
             return
         for i, a in enumerate(subjects):

@@ -106,17 +106,18 @@ class ToldRows:
         count = max(self.each[names[0]], 1)
         return [names[i : i + count] for i in range(0, len(names), count)]
 
-    def before(self, names: Sequence[str], others: Sequence[str] = (), *, seated: bool = False) -> list[str]:
+    def before(self, names: Sequence[str], others: Sequence[str] = (), *, facing: bool = False) -> list[str]:
         """Return the middle one of straight rows, or of several abreast, that look at another thing or stand before it.
 
-        None where all of a row fit before it. A crowd that is `seated` stands in rows, though nobody says so.
+        None where all of a row fit before it. A crowd of seats `facing` something is in rows, though nobody says so.
         """
         wide = sum(self.scene.by_name[name].size[1] for name in names)
         if len(names) < 2 or any(wide <= self.scene.by_name[other].size[1] for other in others):
             return []
         if len(names) > 2 and self.in_rows(names):
             return [names[self.abreast[names[0]] // 2]]
-        if seated and len(names) >= CROWD and names[0] not in self.shape and alike(self.scene, names):
+        sat_on = self.scene.by_name[names[0]].category.endswith((*small.SEATS, "floor cushion"))
+        if facing and sat_on and len(names) >= CROWD and names[0] not in self.shape and alike(self.scene, names):
             return [names[math.ceil(len(names) / rows_of(len(names))) // 2]]
         middles = {self.middle.get(name) for name in names}
         return [name for name in names if middles == {name}]
