@@ -12,7 +12,7 @@ from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
-from robolayout.planners import _asked as asked
+from robolayout.planners import _said as asked
 from robolayout.planners._knowledge import DATA, Face
 from robolayout.planners._roles import Cast, chain, passage
 from robolayout.scene import Scene

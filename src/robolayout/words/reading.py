@@ -344,7 +344,9 @@ def sized(kind: Category, adjectives: Sequence[str], measures: Sequence[Measure]
     for word in dict.fromkeys(adjectives) if (depth, width, height) == kind.size else ():
         d, w, h = lists.sizes.get(word, (1.0, 1.0, 1.0))
         depth, width, height = depth * d, width * w, height * h
-    if kind.name.startswith("round ") or "square" in adjectives:
+    if kind.name.startswith("round ") or (
+        "square" in adjectives and (depth, width, height) not in lists.models.values()
+    ):
         depth = width = min(depth, width)
     elif small.ROUND & {*adjectives}:
         depth = width = math.sqrt(depth * width)

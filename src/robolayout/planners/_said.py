@@ -1,0 +1,153 @@
+"""What the user's words say of single things and groups: who is placed, who stands in rows, rings or the middle, who is looked at."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+
+from robolayout.constraints import AssetRef, PointRef, Relation
+from robolayout.constraints.between import BetweenTwo
+from robolayout.constraints.distance_constraint import DistanceConstraint
+from robolayout.constraints.in_rows import InRows
+from robolayout.constraints.in_shape import InShape, circle_across
+from robolayout.constraints.keep_clear import KeepClear
+from robolayout.constraints.under import Under
+from robolayout.planners._roles import Cast
+from robolayout.scene import Scene
+from robolayout.words import CROWD, Demand
+
+PLACELESS = ("point_towards", "align_with", "under", "above", "keep_clear")
+"""Relations that say nothing of where their thing stands on the floor: looking at something, or as something, moves nothing."""
+
+
+def said(demands: Iterable[Demand], *, placing: bool = False) -> list[Relation]:
+    """Return the statements of the first ways of some demands, all or those that put something on the floor."""
+    if not placing:
+        return [relation for demand in demands for relation in demand.ways[0]]
+    # in one of several parts of the room a thing stands as is usual
+    firsts = [one.ways[0] for one in demands if not one.ways[1:] or any(way[0].name != "zone" for way in one.ways)]
+    # how something is turned, and how far off a wall it is then, moves nothing, either
+    turned = ((way, [one for one in way if one.name == "align_with"]) for way in firsts)
+    placed = (way for way, looks in turned if all(len(one.asset_names()) > 1 for one in looks))
+    return [relation for way in placed for relation in way if relation.name not in PLACELESS]
+
+
+def subjects(demands: Iterable[Demand]) -> set[str]:
+    """Return what is asked to be somewhere."""
+    placing = ((one.asset_names(), one.name in ("in_rows", "in_shape")) for one in said(demands, placing=True))
+    return {name for names, rows in placing for name in (names if rows else names[:1])}
+
+
+def formed(demands: Iterable[Demand]) -> set[str]:
+    """Return what is asked to stand in a circle or the like."""
+    return {name for one in said(demands) if isinstance(one, InShape) for name in one.asset_names()}
+
+
+def audience(cast: Mapping[str, Cast], demands: Sequence[Demand]) -> list[str]:
+    """Return the crowd of seats of which no more is asked than that they face a thing: they sit in rows before it."""
+    turned = [({one.name for one in demand.ways[0]}, demand) for demand in demands]
+    looks = {one.asset_names()[0] for names, demand in turned if names == {"point_towards"} for one in demand.ways[0]}
+    placed = subjects(demand for names, demand in turned if names not in ({"point_towards"}, {"align_with"}))
+    for demand in (demand for names, demand in turned if names == {"align_with"} and len(demand.ways) == 1):
+        pairs = [names for one in demand.ways[0] if len(names := one.asset_names()) == 2]
+        like, crowd = {to for _, to in pairs}, {name for pair in pairs for name in pair}
+        if len(crowd) >= CROWD and len(like) == 1 and like <= looks and not crowd & placed:
+            return [name for name in cast if name in crowd]
+    return []
+
+
+def rowed(demands: Iterable[Demand]) -> set[str]:
+    """Return what is asked to stand in rows of which no number is said."""
+    return {name for one in said(demands) if isinstance(one, InRows) and one.rows is None for name in one.asset_names()}
+
+
+def looked_at(demands: Iterable[Demand]) -> dict[str, str]:
+    """Return what is asked to look at another thing, with that."""
+    pairs = (one.asset_names() for one in said(demands) if one.name == "point_towards")
+    return {pair[0]: pair[1] for pair in pairs if len(pair) == 2}
+
+
+def lain_at(demands: Iterable[Demand]) -> dict[str, str]:
+    """Return what is only asked to be before, beside or near one other thing, with that: a rug there lies below what belongs to it."""
+    at = dict[str, set[tuple[str, ...]]]()
+    for one in said(demands, placing=True):
+        to = one.asset_names()[1:] if one.name in ("in_front_of", "next_to", "near") else ()
+        for name in one.asset_names()[:1]:
+            at.setdefault(name, set()).add(to)
+    return {name: others[0] for name, (others, *more) in at.items() if others and not more}
+
+
+def ringed(cast: Mapping[str, Cast], demands: Sequence[Demand]) -> dict[str, tuple[str, InShape]]:
+    """Return seats of one kind of which no more is asked than to stand on a rug that holds a ring of them, with rug and ring.
+
+    They stand at nothing but the rug; seats of a table stand there, if that is not the one of a sofa beside the rug.
+    """
+    placed, on = subjects(demands), dict[str, list[str]]()
+    for one in said(demands):
+        if isinstance(one, Under):
+            on.setdefault(one.a.name, []).extend(item.name for item in one.items)
+    found = dict[str, tuple[str, InShape]]()
+    for rug, names in on.items():
+        free = [n for n in names if cast[n].role.in_a_ring and n not in placed]
+        at, others = {n: cast[n].anchor for n in free}, {*names}.difference(free)
+        free = [n for n in free if at[n] not in others and (cast[n].join.slot != "around" or cast[at[n]].anchor)]
+        for kind in dict.fromkeys(cast[name].asset.category for name in free):
+            ring = [name for name in free if cast[name].asset.category == kind]
+            depth, width, _ = cast[ring[0]].asset.size
+            if len(ring) > 2 and circle_across(len(ring), depth, width) <= min(cast[rug].asset.size[:2]):
+                found |= {name: (rug, InShape(tuple(map(AssetRef, ring)), "circle")) for name in ring}
+    return found
+
+
+def in_the_middle(demands: Iterable[Demand]) -> set[str]:
+    """Return the only thing that is asked into the middle of the room, which is rather right there than only near it."""
+    found = amidst_the_room(demands)
+    return found if len(found) == 1 else set()
+
+
+def amidst_the_room(demands: Iterable[Demand]) -> set[str]:
+    """Return what is asked to be near the middle of the room."""
+    within = (one for one in said(demands) if isinstance(one, DistanceConstraint) and one.min_distance is None)
+    return {one.a.name for one in within if isinstance(one.b, PointRef)}
+
+
+def open_beside(demands: Iterable[Demand]) -> dict[str, str]:
+    """Return what is asked to keep its left or its right clear, with the other side: what goes beside it stands there."""
+    clear = [one for one in said(demands) if isinstance(one, KeepClear) and one.side in ("left", "right")]
+    return {one.a.name: "left" if one.side == "right" else "right" for one in clear}
+
+
+def hung_over(scene: Scene, demands: Iterable[Demand]) -> dict[str, str]:
+    """Return what stands on the floor below what is asked to hang above it, or above what it bears, on a wall, with the first of that."""
+    found = dict[str, str]()
+    on = (one.asset_names() for one in said(demands) if one.name == "on_top_of")
+    bearers = {thing: bearer for thing, bearer in on}
+    for high, over in (one.asset_names() for one in said(demands) if one.name == "above"):
+        low = bearers.get(over, over)
+        if scene.by_name[high].on_wall and scene.by_name[low].on_floor:
+            found.setdefault(low, high)
+    return found
+
+
+def held_by_walls(demands: Sequence[Demand]) -> set[str]:
+    """Return what is asked into corners, parts of the room or near doors and windows alone, which leaves its wall to it.
+
+    What something is to be behind stands free of the wall.
+    """
+    asked = [(one.name, *one.asset_names()) for one in said(demands, placing=True)]
+    free = {name for how, name, *others in asked if how not in ("corner", "zone", "near") or others}
+    return {name for _, name, *_ in asked} - free - {others[0] for how, _, *others in asked if how == "behind"}
+
+
+def needing_room(cast: Mapping[str, Cast], demands: Sequence[Demand]) -> set[str]:
+    """Return what is placed first: what is asked into one corner and no other, in one row or a circle, or with two others at its sides."""
+    only = said(demand for demand in demands if len(demand.ways) == 1)
+    between = [demand.exact.asset_names() for demand in demands if isinstance(demand.exact, BetweenTwo)]
+    found = {middle for middle, *ends in between if {cast[end].anchor for end in ends} == {middle}}
+    for one in only:
+        names = {*one.asset_names()}
+        alone = all(demand.names() <= names for demand in demands if names & demand.names())
+        if one.name == "corner":
+            found.add(one.asset_names()[0])
+        elif isinstance(one, InShape) or (isinstance(one, InRows) and one.rows == 1 and alone):
+            found |= names
+    return found
