@@ -7,7 +7,7 @@ that and from the parts: "top", "seat", "shelf 1" (the lowest), "drawer 2", so t
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cache, cached_property, lru_cache
 from itertools import count, pairwise, product
@@ -142,14 +142,15 @@ def _goods() -> Mapping[str, tuple[str, ...]]:
     return {name: tuple(parts) for name, parts in (*rules, *data["goods"].items())}
 
 
-def emptied(asset: Asset, sizes: Iterable[tuple[float, float, float]]) -> Asset:
+def emptied(asset: Asset, sizes: Sequence[tuple[float, float, float]]) -> Asset:
     """Return a thing on which things of some sizes are to lie: without what is drawn on it, where that leaves them no room."""
     goods = _goods().get(category_of(asset).name, ())
+    if not goods or not sizes:
+        return asset
     bare = replace(asset, without=(*asset.without, *goods))
-    firm = {round(surface.height, 3) for surface in outer_surfaces(bare)} if goods else set[float]()
+    firm = {round(surface.height, 3) for surface in outer_surfaces(bare)}
     free = [surface for surface in outer_surfaces(asset) if round(surface.height, 3) in firm]  # no top of what is drawn
-    fits = all(any(surface.holds(size) for surface in free) for size in sizes)
-    return asset if fits or not goods else bare
+    return asset if all(any(surface.holds(size) for surface in free) for size in sizes) else bare
 
 
 def inner_surfaces(asset: Asset) -> tuple[Surface, ...]:

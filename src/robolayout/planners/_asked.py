@@ -17,7 +17,7 @@ from robolayout.constraints.near import Near
 from robolayout.constraints.next_to import NextTo
 from robolayout.planners._knowledge import ON_ANY, Join, usual_say
 from robolayout.planners._roles import Cast, chain, elsewhere
-from robolayout.planners._said import amidst_the_room, audience, hung_over, ringed, said, subjects
+from robolayout.planners._said import amidst_the_room, audience, hung_over, looked_at, ringed, said, subjects
 from robolayout.program import Program
 from robolayout.scene import Scene
 from robolayout.words import Demand
@@ -131,17 +131,10 @@ def _before_what_they_face(
 ) -> Iterator[tuple[str, tuple[str, Join]]]:
     """Yield how single seats that are asked to face what stands by itself join that: a stool its easel, not the table."""
     placed = subjects(demands).union(audience(cast, demands))
-    for name, to in (
-        one.asset_names() for one in said(demands) if one.name == "point_towards" and one.asset_names()[1:]
-    ):
+    for name, to in ((name, to) for name, to in looked_at(demands).items() if name not in placed):
         seat, thing = cast[name], cast[to]
-        if (
-            seat.role.name == "seat"
-            and seat.anchor != to
-            and name not in placed
-            and thing.asset.on_floor
-            and not thing.anchor
-        ):
+        free = thing.asset.on_floor and not thing.anchor
+        if free and seat.role.name == "seat" and seat.anchor != to:
             yield name, (to, replace(_before(seat, thing, GAPS.before), say=usual_say("front")))
 
 

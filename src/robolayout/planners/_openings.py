@@ -10,7 +10,7 @@ import numpy as np
 from robolayout.assets import Category
 from robolayout.planners._wishes import RoomWishes
 from robolayout.scene import Opening, Room
-from robolayout.words import COMPASS, Place, Reading, grammar, named, places, sides, walls_meant
+from robolayout.words import AT_SIDES, COMPASS, Place, Reading, grammar, named, places, sides, walls_meant
 
 
 @dataclass(frozen=True)
@@ -39,10 +39,6 @@ OPENINGS = Openings()
 
 ANY = Place("wall")
 """Any wall."""
-
-
-AT_SIDES = ("left", "right", "flank", "next")
-"""Relations of what stands at the sides of a thing."""
 
 
 @dataclass(frozen=True)

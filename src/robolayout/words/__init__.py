@@ -1,5 +1,6 @@
 """Sentences and criteria as rows: what is asked, what it asks of a scene, and whether a layout meets it."""
 
+from robolayout.words._function_words import AT_SIDES as AT_SIDES
 from robolayout.words._function_words import COUNTERS as COUNTERS
 from robolayout.words._function_words import KIN as KIN
 from robolayout.words._function_words import SHAPES as SHAPES
