@@ -33,4 +33,4 @@ def __getattr__(name: str) -> frozenset[str]:
 
 
 REFUSING = __getattr__("NEGATING") | {"no", "without", "neither", "nor"}
-COUNTERS, WATCHING = map(__getattr__, ("COUNTERS", "WATCHING"))
+AT_SIDES, COUNTERS, WATCHING = map(__getattr__, ("AT_SIDES", "COUNTERS", "WATCHING"))
