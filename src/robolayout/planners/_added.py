@@ -235,7 +235,8 @@ class Added:
         sizes = [(self.wishes.kinds[self.wishes.kind(m.thing)].size, m.count) for m in laid]
         (depth, width, _), (deep, wide, _) = self.wishes.kinds[bearer].size, self.wishes.kinds[name].size
         taken = sum(size[0] * size[1] * number for size, number in sizes) / count + deep * wide
-        return not sizes or taken <= TOP_SHARE * depth * width
+        clear = all(deep <= depth - size[0] or wide <= (width - size[1]) / 2 for size, _ in sizes)
+        return not sizes or (clear and taken <= TOP_SHARE * depth * width)
 
     def _roles_of(self, things: Iterable[NamedThing]) -> set[str]:
         """Return the names of the roles of things that are named."""
