@@ -42,7 +42,7 @@ def links(text: str) -> set[tuple[str, ...]]:
         ("six beds, three along each long wall, and a curtain between each two beds", {"bed": 6, "curtain": 4}),
         ("two columns of six pews and a trio of candles", {"pew": 12, "candle": 3}),
         ("six groups of four desks, a string of lights", {"desk": 24, "light": 2}),
-        ("three easels, each holding a canvas", {"easel": 3, "canvas": 3}),
+        ("three easels, each holding a vase", {"easel": 3, "vase": 3}),
         ("a seating group of two sofas, a shelf with two bottles of detergent", {"sofa": 2, "shelf": 1, "bottle": 2}),
         ("a cabinet in each corner opposite the door and a plant in each corner", {"cabinet": 2, "plant": 4}),
         ("four desks, each with a chair on both sides", {"desk": 4, "chair": 8}),
