@@ -401,7 +401,6 @@ def test_what_is_flanked_is_what_stands_at_the_wall() -> None:
 
 
 def test_what_lies_before_each_seat_is_all_that_was_listed() -> None:
-    link = read("A dining table with six chairs and a plate, a fork and a glass in front of each chair").parsed.links[
-        -1
-    ]
+    text = "A dining table with six chairs and a plate, a fork and a glass in front of each chair"
+    link = read(text).parsed.links[-1]
     assert [mention.thing.noun.kind for mention in link.subjects] == ["plate", "fork", "glass"]

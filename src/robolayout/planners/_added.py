@@ -11,7 +11,7 @@ from itertools import chain
 import numpy as np
 
 from robolayout.planners._knowledge import DATA
-from robolayout.planners._roles import TOP_SHARE
+from robolayout.planners._roles import TOP_SHARE, stands_free
 from robolayout.planners._wishes import INSTEAD, LOW, RoomWishes, head
 from robolayout.scene import FLAT_HEIGHT, Agent
 from robolayout.words import SHAPES, WATCHING, NamedThing, mentions, named, place_in, visits
@@ -233,10 +233,10 @@ class Added:
         links = [link for link in self.wishes.reading.parsed.links if link.relation == "on"]
         laid = (m for k in links if bearer in map(self.wishes.kind, named(k.objects)) for m in k.subjects)
         sizes = [(self.wishes.kinds[self.wishes.kind(m.thing)].size, m.count) for m in laid]
-        (depth, width, _), (deep, wide, _) = self.wishes.kinds[bearer].size, self.wishes.kinds[name].size
-        taken = sum(size[0] * size[1] * number for size, number in sizes) / count + deep * wide
-        clear = all(deep <= depth - size[0] or wide <= (width - size[1]) / 2 for size, _ in sizes)
-        return not sizes or (clear and taken <= TOP_SHARE * depth * width)
+        top, own = self.wishes.kinds[bearer].size, self.wishes.kinds[name].size
+        taken = sum(size[0] * size[1] * number for size, number in sizes) / count + own[0] * own[1]
+        free = stands_free(own, top, [size for size, _ in sizes])
+        return not sizes or (free and taken <= TOP_SHARE * top[0] * top[1])
 
     def _roles_of(self, things: Iterable[NamedThing]) -> set[str]:
         """Return the names of the roles of things that are named."""

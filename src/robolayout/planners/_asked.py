@@ -106,7 +106,11 @@ def join_as_asked(cast: Mapping[str, Cast], demands: Sequence[Demand], passage: 
             found[name] = found[name].alone
     seated = [wanted[name] for name in wanted if cast[name].role.name.endswith("seat")]
     laid = {anchor for anchor, join in seated if join.slot == "around"}
-    wanted |= {name: join for name, join in _before_what_they_face(found, demands) if name not in wanted}
+    crowd = audience(cast, demands)
+    single = {
+        name: to for name, to in looked_at(demands).items() if name not in wanted and name not in placed.union(crowd)
+    }
+    wanted |= dict(_before_what_they_face(found, single))
     for a, b in (pair for relation in said(demands) if len(pair := relation.asset_names()) == 2):
         # what usually stands in a row that ends at what is asked to be placed by one of the row stands by itself
         last = next((one for one in chain(b, found) if found[one].anchor == a), "")
@@ -121,17 +125,16 @@ def join_as_asked(cast: Mapping[str, Cast], demands: Sequence[Demand], passage: 
     for name in [name for name in found if name not in wanted]:
         if found[name].join.slot == "around" and found[name].anchor in laid:
             found[name] = elsewhere(name, found, laid)  # that table has its own seats
-    found |= {name: found[name].alone for name in (*ringed(found, demands), *audience(found, demands))}
+    found |= {name: found[name].alone for name in (*ringed(found, demands), *crowd)}
     found |= {name: one for name, one in _at_their_places(found, demands) if name not in wanted}
     return found | dict(_off_the_wall(found, demands))
 
 
 def _before_what_they_face(
-    cast: Mapping[str, Cast], demands: Sequence[Demand]
+    cast: Mapping[str, Cast], faced: Mapping[str, str]
 ) -> Iterator[tuple[str, tuple[str, Join]]]:
-    """Yield how single seats that are asked to face what stands by itself join that: a stool its easel, not the table."""
-    placed = subjects(demands).union(audience(cast, demands))
-    for name, to in ((name, to) for name, to in looked_at(demands).items() if name not in placed):
+    """Yield how single seats join what they face, by their names, if that stands by itself: a stool its easel, not the table."""
+    for name, to in faced.items():
         seat, thing = cast[name], cast[to]
         free = thing.asset.on_floor and not thing.anchor
         if free and seat.role.name == "seat" and seat.anchor != to:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Iterator, Mapping, Sequence, Set
+from collections.abc import Iterable, Iterator, Mapping, Sequence, Set
 from dataclasses import dataclass, replace
 
 from robolayout.assets import Category, category_of
@@ -171,13 +171,17 @@ def _any_top(item: Cast, cast: Mapping[str, Cast]) -> tuple[str, Join] | None:
     return (min(best)[-1], ON_ANY) if best else None
 
 
+def stands_free(size: Sequence[float], top: Sequence[float], there: Iterable[Sequence[float]]) -> bool:
+    """Return whether a thing of a size of depth, width and height stands before or beside each of those on a top."""
+    return all(size[0] <= top[0] - one[0] or size[1] <= (top[1] - one[1]) / 2 for one in there)
+
+
 def _room_for(asset: Asset, other: Cast, join: Join, cast: Mapping[str, Cast]) -> bool:
     """Return whether a thing fits at another, or on it: before each one there or beside it, so that no bowl goes by a wide screen."""
     if not join.on_top:
         return not other.asset.is_flat
     (depth, width, height), there = other.asset.size, _borne(other.name, cast)
-    covered, (deep, wide, _) = sum(map(_footprint, there)), asset.size
-    free = all(deep <= depth - one.size[0] or wide <= (width - one.size[1]) / 2 for one in there)
+    covered, free = sum(map(_footprint, there)), stands_free(asset.size, other.asset.size, [one.size for one in there])
     fits = max(asset.size[:2]) <= max(depth, width) + 0.02 and min(asset.size[:2]) <= min(depth, width) + 0.02
     alone = covered == 0.0 and height >= FILLED
     shared = alone or covered + _footprint(asset) <= TOP_SHARE * depth * width

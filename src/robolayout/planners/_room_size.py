@@ -73,6 +73,7 @@ def room_size(wishes: RoomWishes, wished: Mapping[str, int], stretch: float) -> 
 def _blocks(wishes: RoomWishes) -> Iterator[tuple[float, float]]:
     """Yield how wide and how deep rows and blocks that are told are in metres, with what stands before them and ways around."""
     links = wishes.reading.parsed.links
+    told = {thing for link in links if link.relation == "rows" for thing in named(link.subjects)}
     for link in links:
         line = [mention for mention in link.subjects if mention.thing.category.on_floor]
         at = place_in(link.objects, "wall") if link.relation == "wall" else None
@@ -110,7 +111,6 @@ def _blocks(wishes: RoomWishes) -> Iterator[tuple[float, float]]:
             yield wide + beside[across], deep + beside[ahead]
         spaced = link.relation == "apart" and not link.objects and len(line) == 1 and line[0].thing.count >= CROWD
         crowd = link.relation == "rows" and line and (link.rows > 1 or (not link.rows and line[0].thing.count >= CROWD))
-        told = {thing for k in links if k.relation == "rows" for thing in named(k.subjects)}
         looking = link.relation == "facing" and bool(wishes.audience & named(line) - told)
         for thing in [one.thing for one in link.subjects if spaced or crowd or looking][:1]:
             kind, rows = wishes.kind(thing), thing.rows if spaced else link.rows

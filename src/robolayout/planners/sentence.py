@@ -179,10 +179,10 @@ def _without_a_top(wishes: RoomWishes, present: Mapping[str, int]) -> bool:
     links = (k for k in wishes.reading.parsed.links if k.relation == "stacked" or named(k.objects))
     laid = {thing for link in links for thing in named(link.subjects)}
     alone = (kind.name for thing, kind in wishes.asked.items() if kind.places == ("object",) and thing not in laid)
-    playing = wishes.playing(present).values()
-    there = {role.name for role in playing}
-    joined = {name: {to for join in role.joins for to in join.of} for name, role in wishes.playing(present).items()}
-    return not any(role.top for role in playing) and any(not joined.get(name, set()) & there for name in alone)
+    playing = wishes.playing(present)
+    there = {role.name for role in playing.values()}
+    joins = {name: {to for join in role.joins for to in join.of} for name, role in playing.items()}
+    return not any(role.top for role in playing.values()) and any(not joins.get(name, set()) & there for name in alone)
 
 
 def _at_meeting_tables(wishes: RoomWishes, wished: Mapping[str, int]) -> int:

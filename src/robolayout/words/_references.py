@@ -167,30 +167,6 @@ class References(Spoken):
         self.subject, self.acted = ([], []) if alone else (self.subject, self.acted)
         return alone
 
-    def _number_of(self, item: Item) -> int:
-        """Return how many there are of a thing, of corners or walls, of doors or windows that are asked for."""
-        if isinstance(item, Mention):
-            return item.thing.count
-        asked = sum(place.number or 0 for place, _ in self.said.openings if place.name == item.name)
-        # "in each of the back corners", "in each corner opposite the door"
-        sides = len({*item.words} & {*grammar().walls}) or (item.by is not None)
-        corners = 4 if not sides or item.name == "wall" else 2 // sides
-        halved = item.name == "wall" and {"long", "short", "side", "opposite"} & {*item.words}
-        corners = 2 if halved or item.det == "both" else corners
-        usual = 2 if item.det in ("each", "both", "all") else 1
-        return item.number or (corners if item.name in ("corner", "wall") else asked or usual)
-
-    def _gaps(self, item: Item) -> int:
-        """Return how many gaps there are between neighbours of several things that stand in rows, in pairs or along walls."""
-        if any(link.relation == "pairs" and named((item,)) & named(link.subjects) for link in self.said.links):
-            return max(self._number_of(item) // 2, 1)
-        if isinstance(item, Place):
-            return max(self._number_of(item) - 1, 1)
-        at = [to for link in self.said.links if item.thing in named(link.subjects) for to in link.objects]
-        walls = places(at, "wall")
-        rows = (self._number_of(wall) if wall.det in ("each", "both") else wall.number or 1 for wall in walls)
-        return max(self._number_of(item) - max(item.thing.rows, *rows, 1), 1)
-
     def _on_both_sides(self, chunk: Chunk, subjects: Sequence[Mention], objects: Sequence[Item]) -> Chunk:
         """Count what stands at each side of something; return the relation, which is "around" for several seats at a table."""
         tables = [to.thing for to in mentions(objects) or self.holder if to.thing.has_sides]
@@ -364,6 +340,12 @@ class References(Spoken):
             if walls and thing.plural and thing.number is None:
                 at_each = 2 if several or chunk.value == "wall" or thing.head in small.SEATS else 1
                 thing.number = walls * at_each  # "bookshelves line two walls"
+            elif (
+                chunk.value == "amid"
+                and thing.parts_uncounted
+                and (apart := [m for m in mentions(objects) if m.count > 2])
+            ):
+                thing.number = self._gaps(apart[0])  # "partitions between the desks"
         for mention in subjects if chunk.value == "rows" else ():
             mention.thing.rows = mention.thing.rows or chunk.rows  # "clothing racks in three rows"
         return subjects

@@ -58,9 +58,8 @@ class Relating(About):
         who = self._ahead(-2)
         if self._in_an_aid("with"):
             return
-        if (
-            who.kind == "room" and self._ahead(-3).value == "in"
-        ):  # "two sofas in a lounge with a piano against the wall"
+        # "two sofas in a lounge with a piano against the wall"
+        if who.kind == "room" and self._ahead(-3).value == "in":
             self.group, self.subject, self.holder, self.target = [], [], [], None
         if who.kind in ("people", "body") and who.det == "each":
             self._each_has([], self._people() or 1)

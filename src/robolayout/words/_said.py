@@ -20,6 +20,9 @@ LONG = 3
 SEATED = 6
 """Seats of each of more rows than that of which no number is said."""
 
+PARTITIONS = ("partition", "privacy screen", "room divider", "curtain")
+"""What parts one place from the next."""
+
 
 @dataclass(eq=False)
 class NamedThing:
@@ -80,6 +83,11 @@ class NamedThing:
     def has_sides(self) -> bool:
         """Whether it is a table with people on each side of it."""
         return self.head in ("table", "island") and not self.noun.kind.endswith(tuple(small.LOW_TABLES))
+
+    @property
+    def parts_uncounted(self) -> bool:
+        """Whether it is what parts one place from the next, and no number of it is said."""
+        return self.plural and self.number is None and self.times == 1 and self.noun.kind in PARTITIONS
 
     @property
     def sides(self) -> int:

@@ -8,7 +8,19 @@ from dataclasses import dataclass, field, replace
 from robolayout.words import _function_words as small
 from robolayout.words._chunk import NOTHING, Chunk
 from robolayout.words._lexicon import grammar
-from robolayout.words._said import Item, Link, Mention, NamedThing, Parsed, Place, mentions, named, place_in, place_of
+from robolayout.words._said import (
+    Item,
+    Link,
+    Mention,
+    NamedThing,
+    Parsed,
+    Place,
+    mentions,
+    named,
+    place_in,
+    place_of,
+    places,
+)
 
 
 @dataclass(eq=False)
@@ -260,6 +272,30 @@ class Spoken:
         own = any(m.sat_on for m in self.about) if long else sided
         wall = across or ((long or several) and (not own or self._ahead(-1).kind == "room"))
         return replace(place_of(chunk), name="wall") if chunk.value == "side" and wall else place_of(chunk)
+
+    def _number_of(self, item: Item) -> int:
+        """Return how many there are of a thing, of corners or walls, of doors or windows that are asked for."""
+        if isinstance(item, Mention):
+            return item.thing.count
+        asked = sum(place.number or 0 for place, _ in self.said.openings if place.name == item.name)
+        # "in each of the back corners", "in each corner opposite the door"
+        sides = len({*item.words} & {*grammar().walls}) or (item.by is not None)
+        corners = 4 if not sides or item.name == "wall" else 2 // sides
+        halved = item.name == "wall" and {"long", "short", "side", "opposite"} & {*item.words}
+        corners = 2 if halved or item.det == "both" else corners
+        usual = 2 if item.det in ("each", "both", "all") else 1
+        return item.number or (corners if item.name in ("corner", "wall") else asked or usual)
+
+    def _gaps(self, item: Item) -> int:
+        """Return how many gaps there are between neighbours of several things that stand in rows, in pairs or along walls."""
+        if any(link.relation == "pairs" and named((item,)) & named(link.subjects) for link in self.said.links):
+            return max(self._number_of(item) // 2, 1)
+        if isinstance(item, Place):
+            return max(self._number_of(item) - 1, 1)
+        at = [to for link in self.said.links if item.thing in named(link.subjects) for to in link.objects]
+        walls = places(at, "wall")
+        rows = (self._number_of(wall) if wall.det in ("each", "both") else wall.number or 1 for wall in walls)
+        return max(self._number_of(item) - max(item.thing.rows, *rows, 1), 1)
 
     def _laid(self, relation: str, last: list[Mention]) -> list[Mention]:
         """Return all that was just named and is laid on something: "plates and glasses on the table", "... before each chair"."""

@@ -18,7 +18,7 @@ from robolayout.words._kinds import settle_kinds
 from robolayout.words._lexicon import Lexicon, grammar
 from robolayout.words._parse import Parser
 from robolayout.words._reworded import reworded
-from robolayout.words._said import Link, NamedThing, Parsed, mentions, named, place_in, places
+from robolayout.words._said import Link, NamedThing, Parsed, mentions, place_in, places
 from robolayout.words._tokens import Measure, Size, Token, count_of, measures, tokens
 
 LONGEST = 4000
@@ -26,9 +26,6 @@ LONGEST = 4000
 
 ABREAST = 0.6
 """Metres of a bench that each is given who sits on it (the judge counts a seat from less)."""
-
-PARTITIONS = ("partition", "privacy screen", "room divider")
-"""What parts one place from the next."""
 
 MOST_OF_A_KIND = 200
 """Largest count that is furnished for."""
@@ -200,7 +197,6 @@ def read_text(text: str, lexicon: Lexicon) -> Reading:
     young = "child_6" in bodies or len(siblings) > 1 or any(c.value in small.YOUNG for c in people)
     settle_kinds(parsed)
     _two_at_each(parsed.links)
-    _one_in_each_gap(parsed.links)
     number = _shared_out(parsed.things, bounded(counts[0], "people"))
     seats = number or next((thing.people * thing.count for thing in parsed.things if thing.people), 0)
     for thing in parsed.things:
@@ -239,17 +235,6 @@ def _two_at_each(links: Sequence[Link]) -> None:
         for thing in (one.thing for one in link.subjects if several and one.thing.head == "stool"):
             if thing.plural and thing.number is None and thing.times == 1:
                 thing.number = 2 * several[0]
-
-
-def _one_in_each_gap(links: Sequence[Link]) -> None:
-    """Settle how many partitions are between several things where no number is said: one less, or one for each pair."""
-    paired = {thing for link in links if link.relation == "pairs" for thing in named(link.subjects)}
-    for link in (link for link in links if link.relation == "amid"):
-        several = [one.thing for one in mentions(link.objects) if one.thing.count > 2]
-        for thing in (one.thing for one in link.subjects if several and one.thing.noun.kind in PARTITIONS):
-            if thing.plural and thing.number is None and thing.times == 1:
-                apart = several[0]
-                thing.number = apart.count // 2 if apart in paired else apart.count - max(apart.rows, 1)
 
 
 def _shared_out(things: Sequence[NamedThing], number: int) -> int:
@@ -340,13 +325,12 @@ def sized(kind: Category, adjectives: Sequence[str], measures: Sequence[Measure]
     lists = grammar()
     said = ([*adjectives, kind.name], [*noun.removesuffix(kind.name).split(), kind.name])
     models = [" ".join(word for word in words if word not in ("size", "sized")) for words in said]
-    depth, width, height = next((lists.models[model] for model in models if model in lists.models), kind.size)
+    model = next((lists.models[name] for name in models if name in lists.models), None)
+    depth, width, height = model or kind.size
     for word in dict.fromkeys(adjectives) if (depth, width, height) == kind.size else ():
         d, w, h = lists.sizes.get(word, (1.0, 1.0, 1.0))
         depth, width, height = depth * d, width * w, height * h
-    if kind.name.startswith("round ") or (
-        "square" in adjectives and (depth, width, height) not in lists.models.values()
-    ):
+    if kind.name.startswith("round ") or ("square" in adjectives and model is None):
         depth = width = min(depth, width)
     elif small.ROUND & {*adjectives}:
         depth = width = math.sqrt(depth * width)
