@@ -2,8 +2,13 @@
 
 from __future__ import annotations
 
+import math
+from dataclasses import replace
+
 import pytest
-from shapely import Polygon, affinity, box
+from shapely import Point, Polygon, affinity, box
+from shapely.geometry.base import BaseGeometry
+from shapely.ops import unary_union
 
 import robolayout as rl
 from robolayout.planners.sentence import scene_from_sentence
@@ -46,6 +51,14 @@ def asked(text: str) -> list[tuple[str, list[str]]]:
         ("A bedroom where I can see the door from the bed.", [("facing", ["bed", "door"])]),
         ("The window should be visible from the desk.", [("facing", ["desk", "window"])]),
         ("a desk I can reach from my bed", [("near", ["desk", "bed"])]),
+        ("A robot vacuum can get under the sofa, the desk and the bed.", [("beneath", ["sofa", "desk", "bed"])]),
+        ("A robot can reach every piece of furniture.", [("way", [])]),
+        ("A shop with aisles wide enough for a wheelchair.", [("way", [])]),
+        ("The toys are within reach of a six year old.", [("way", ["toy"])]),
+        ("A wheelchair can park next to the sofa.", [("cleared", ["sofa", "left or right"])]),
+        ("The emergency exit must stay clear.", [("bare", ["door"])]),
+        ("A bathroom with room for a turning circle in the middle of the room.", [("turning", ["middle"])]),
+        ("A person sitting on the sofa can see the TV.", [("facing", ["sofa", "television"])]),
     ],
 )
 def test_what_is_said_of_where_bodies_get(text: str, said: list[tuple[str, list[str]]]) -> None:
@@ -68,10 +81,149 @@ def test_how_much_floor_is_to_stay_free(text: str, metres: float) -> None:
 
 
 @pytest.mark.parametrize(
+    ("text", "things", "metres"),
+    [
+        ("leaving a path 90 cm wide from the door to the sofa", ["sofa", "door"], 0.9),
+        ("with a clear path of at least 80 cm from the door to the bed", ["bed", "door"], 0.8),
+        ("The walkway to the sofa should be 1 m wide.", ["sofa"], 1.0),
+        ("The paths from the door to the bed and to the desk must be 1 m wide.", ["bed", "desk", "door"], 1.0),
+        ("with 1.2 m wide walkways", [], 1.2),
+        ("all walkways at least 90 cm wide", [], 0.9),
+        ("Aisles between the desks must be at least 1.2 m wide.", [], 1.2),
+        ("leaving 90 cm to walk", [], 0.9),
+        ("The main corridor must be 1.5 m wide.", [], 1.5),
+    ],
+)
+def test_how_wide_ways_are(text: str, things: list[str], metres: float) -> None:
+    reading = read_text(f"An office; {text}", LEXICON)
+    assert [(link.relation, link.metres[0]) for link in reading.parsed.links] == [("way", metres)]
+    assert asked(f"An office; {text}") == [("way", things)]
+    assert not reading.parsed.missed
+    assert reading.way == metres
+
+
+def test_aisles_of_rows_are_between_the_rows() -> None:
+    links = read_text("A shop with six shelves in two rows, the aisles should be 2 m wide.", LEXICON).parsed.links
+    assert [(link.relation, link.metres[0]) for link in links] == [("rows", 0.0), ("apart", 2.0)]
+
+
+@pytest.mark.parametrize(
+    ("text", "metres", "place"),
+    [
+        ("a 1.4 m turning circle", 1.4, ""),
+        ("a turning circle of at least 1.4 m", 1.4, ""),
+        ("a turning circle", 1.5, ""),
+        ("a 150 cm turning space near the door", 1.5, "door"),
+        ("a turning circle of 160 cm in the middle of the room", 1.6, "middle"),
+    ],
+)
+def test_where_there_is_room_to_turn(text: str, metres: float, place: str) -> None:
+    (link,) = read_text(f"A bathroom with {text}.", LEXICON).parsed.links
+    assert (link.relation, link.metres[0], [at.name for at in places(link.objects)]) == (
+        "turning", metres, [place] * bool(place),
+    )  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("text", "things"),
+    [
+        ("A bedroom with at least 75 cm between the bed and the walls on both sides.", {"bed": 1}),
+        ("A bedroom with 1.5 m of clear floor beside the bed on both sides.", {"bed": 1}),
+        ("A classroom with a desk near the door and 15 other desks.", {"desk": 16}),
+        (
+            "A room with a sofa and a floor lamp such that a person sitting on the sofa sees it.",
+            {"sofa": 1, "floor lamp": 1},
+        ),
+    ],
+)
+def test_what_is_said_of_sides_and_others_adds_no_thing_twice(text: str, things: dict[str, int]) -> None:
+    parsed = read_text(text, LEXICON).parsed
+    counted = dict.fromkeys(things, 0)
+    for thing in parsed.things:
+        counted[thing.noun.said] += thing.count
+    assert counted == things
+    assert not [link for link in parsed.links if link.relation == "on"]
+
+
+def _free_floor(run: rl.Result, height: float) -> BaseGeometry:
+    """Return the floor of a layout that nothing taller than a rug takes, below a height."""
+    taken: list[Polygon] = []
+    for asset in run.scene.assets:
+        pose = run.layout[asset.name]
+        if not asset.is_flat and pose.z - asset.size[2] / 2 < height:
+            foot = affinity.rotate(_box(*asset.size[:2]), pose.yaw, (0, 0), use_radians=True)
+            taken.append(affinity.translate(foot, pose.x, pose.y))
+    return Polygon(run.scene.room.vertices).difference(unary_union(taken))
+
+
+def test_a_way_is_as_wide_as_it_is_said() -> None:
+    run = rl.generate(
+        "A living room with a sofa, two armchairs and a TV, leaving a path 1 m wide from the door to the sofa"
+    )
+    (body,) = run.scene.agents
+    assert (body.radius, body.reach_distance) == pytest.approx((0.5, 0.95))
+    door, room = run.scene.room.doors[0], run.scene.room
+    passed = _free_floor(run, body.height).buffer(-0.49)
+    sill = Point(room.walls[door.wall].point(door.offset + door.width / 2))
+    entered = min(getattr(passed, "geoms", [passed]), key=lambda part: part.distance(sill))
+    sofa, pose = run.scene.by_name["sofa-0"], run.layout["sofa-0"]
+    foot = affinity.translate(affinity.rotate(_box(*sofa.size[:2]), pose.yaw, (0, 0), use_radians=True), pose.x, pose.y)
+    assert entered.distance(sill) < 0.65
+    assert entered.distance(foot) < 1.05
+    assert [row.verdict for row in run.report.asked if row.kind == "way"] == ["met"]
+    assert run.report.ok
+
+
+@pytest.mark.parametrize(("wide", "verdict"), [("90 cm", "met"), ("1.2 m", "unmet")])
+def test_a_narrower_way_than_is_said_is_unmet(wide: str, verdict: str) -> None:
+    """Two blocks leave a gap of one metre between the door and the bed."""
+
+    def thing(category: str, *size: float) -> dict[str, object]:
+        return {
+            "category": category,
+            "onFloor": True,
+            "assetMetadata": {"boundingBox": dict(zip("xyz", size, strict=True))},
+        }
+
+    blocks = {f"block-{i}": thing("block", 1.5, 0.5, 1.0) for i in range(2)}
+    data = {
+        "task_description": f"A bedroom with a bed, with a path {wide} wide from the door to the bed",
+        "boundary": {"floor_vertices": [[0, 0, 0], [4, 0, 0], [4, 6, 0], [0, 6, 0]], "wall_height": 2.6},
+        "doors": [{"wall": 0, "offset": 1.4, "width": 1.2, "height": 2.0}],
+        "assets": {"bed-0": thing("bed", 2.0, 1.6, 0.5), **blocks},
+    }
+    places = {"bed-0": rl.Pose(2.0, 5.0, 0.25, -math.pi / 2)}
+    places |= {f"block-{i}": rl.Pose(x, 2.5, 0.5, 0.0) for i, x in enumerate((0.75, 3.25))}
+    judged = rl.judge(rl.scene_from_dict(data), rl.Layout(places))
+    assert [row.verdict for row in judged.report.asked if row.kind == "way"] == [verdict]
+
+
+def test_there_is_room_to_turn_where_it_is_said() -> None:
+    run = rl.generate("A bedroom with a double bed and a desk and a 1.5 m turning circle in the middle of the room")
+    x0, y0, x1, y1 = run.scene.room.bounds
+    middle = Point((x0 + x1) / 2, (y0 + y1) / 2).buffer(0.72)
+    assert _free_floor(run, run.scene.agents[0].height).contains(middle)
+    scene, _ = scene_from_sentence("A bathroom 1.6 x 1.4 m with a toilet and a turning circle of 1.5 m")
+    toilet = scene.by_name["toilet-0"]
+    poses = {"toilet-0": rl.Pose(0.8, 0.7, toilet.size[2] / 2, 0.0)}
+    judged = rl.judge(replace(scene, assets=(toilet,)), rl.Layout(poses))
+    (row,) = [row for row in judged.report.asked if row.kind == "relation"]
+    assert row.verdict == "unmet"
+    assert "the largest free disc is 0." in row.value
+
+
+def test_what_a_body_gets_under_is_told() -> None:
+    for agent, verdict in (("robot_vacuum", "met"), ("stretch3", "unmet")):
+        run = rl.generate("A living room where a robot can get under the sofa", agent=agent)
+        (row,) = [row for row in run.report.asked if row.kind == "way"]
+        assert row.verdict == verdict, row.value
+
+
+@pytest.mark.parametrize(
     "text",
     [
         "A wheelchair can not reach the bed.",
-        "A bathroom with a 1.5 m turning circle.",
+        "No chair should have its back to the door.",
         "The drawers of the dresser must be accessible.",
     ],
 )

@@ -35,6 +35,7 @@ class Sizes:
     seated: float = 1.2
     """Metres by which a room is longer and wider than the longest thing in it, where no size is given; more at ends of tables."""
     low: float = 1.2  # metres of height up to which a row of things hides no window
+    way: float = 0.9  # metres that ways may be wide in a room of the usual size
     parted: float = 0.12  # metres that what is between two things of a row takes beside its own
 
 
@@ -58,10 +59,11 @@ def room_size(wishes: RoomWishes, wished: Mapping[str, int], stretch: float) -> 
     area = given[0] if given else max(usual, wishes.floor_area({**base, **wished}) / share)
     if wishes.reading.shape == "L-shaped":
         area *= 1.2
+    area *= max(1.0, wishes.reading.way / SIZES.way)
     ratio = 1.0 if wishes.reading.square else stretch * width / depth
     width = max(math.sqrt(area * ratio), longest + SIZES.walkway)
     if given is not None:
-        return (round(width, 2), round(area / width, 2))
+        return (round(width, 2), round(given[0] / width, 2))
     depth = max(area / width, longest + SIZES.walkway)
     short, long = sorted((width, depth))
     for across, ahead in _blocks(wishes):  # the longer side of a room holds the longer side of a block

@@ -24,7 +24,7 @@ from robolayout.planners._knowledge import DATA, load_knowledge
 from robolayout.planners._openings import with_openings
 from robolayout.planners._room_size import SIZES, possible, room_size
 from robolayout.planners._wishes import LOW, RoomWishes, Size, head, read_wishes
-from robolayout.scene import Agent, Room, Scene, load_agent, scene_from_dict, variable_name
+from robolayout.scene import DEFAULT_AGENT, Agent, Room, Scene, load_agent, scene_from_dict, variable_name
 from robolayout.words import COUNTERS, SHAPES, dressing, named, visits
 
 LOUNGE = {*DATA["nouns"]["lounge"]}
@@ -101,7 +101,7 @@ def scene_from_sentence(
     stretch = float(np.exp(rng.uniform(-SIZES.stretch, SIZES.stretch))) if variant else 1.0
     size = room_size(wishes, wished, stretch)
     possible(wishes, wished, size)
-    bodies = agents or ([load_agent(wishes.agent)] if wishes.agent else [])
+    bodies = _widened(agents or ([load_agent(wishes.agent)] if wishes.agent else []), wishes.reading.way)
     added = Added(wishes, wished, wishes.floor(size), fill, bodies).things(rng)
     heights = (wishes.kinds[name].size[2] for name in (*wished, *added))
     tallest = max([*heights, *(body.height for body in bodies)], default=0.0)
@@ -116,7 +116,20 @@ def scene_from_sentence(
     )
     entries = {name: entry for name, (_, entry) in meshes.items() if name in wishes.meshes}
     scene = scene_from_dict(_scene(found, wishes, rng, entries, bodies, varied=variant > 0), asset_dir=assets)
+    scene = scene.with_agents(*bodies) if bodies else scene
     return _emptied(scene, wishes), found
+
+
+def _widened(bodies: Sequence[Agent], way: float) -> Sequence[Agent]:
+    """Return the bodies of a room with as wide a corridor as its words ask of ways: "a path 90 cm wide"."""
+    return [_in_a_corridor(body, way) for body in bodies or [DEFAULT_AGENT] * (way > 2 * DEFAULT_AGENT.radius)]
+
+
+def _in_a_corridor(body: Agent, wide: float) -> Agent:
+    """Return a body for which ways are so many metres wide at least, and that reaches as far from their edges as from its own."""
+    further = max(0.0, wide / 2 - body.radius)
+    reach = None if body.reach_distance is None else body.reach_distance + further
+    return replace(body, radius=body.radius + further, reach_distance=reach) if further else body
 
 
 def _emptied(scene: Scene, wishes: RoomWishes) -> Scene:
@@ -292,7 +305,6 @@ def _scene(
         "doors": [vars(door) for door in room.doors],
         "windows": [vars(window) for window in room.windows],
         "assets": _assets(found, wishes, style, rng, meshes),
-        **({} if wishes.agent is None else {"agent": wishes.agent}),
     }
 
 

@@ -270,18 +270,18 @@ class About(References):
         return True
 
     def _aisles(self, chunk: Chunk, measure: Measure) -> bool:
-        """Note how far rows are apart by what is between them: "aisles 1.5 m wide", "with 2 m aisles"."""
+        """Note how far rows are apart, or how wide ways are, by what is between: "aisles 1.5 m wide", "with 2 m aisles"."""
         rows = [link for link in self._here if link.relation == "rows"]
         follows = self._ahead().value in ("aisle", "aisles")
         # "a 1.2 m aisle between them"
         amid = follows and (self._ahead(1).value, self._ahead(2).kind) == ("amid", "pron")
         here = self._ahead(0 if follows else -2)
-        if not rows or not (here.value == "aisles" or amid):
+        if not (here.value == "aisles" or (rows and amid)):
             return False
         led = self.chunks[self.at : self.at + (3 if amid else follows)]
         self._understood(*led)
         self.at += len(led)
-        self._parted(rows[-1], here, (min(chunk.start, here.start), max(chunk.end, here.end)), measure.values[0])
+        self._parted(rows[-1:], here, (min(chunk.start, here.start), max(chunk.end, here.end)), measure.values[0])
         return True
 
     def _walls(self, subjects: list[Mention], place: Place) -> list[Mention]:

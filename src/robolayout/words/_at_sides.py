@@ -14,7 +14,7 @@ from robolayout.words import _ways as ways_of
 from robolayout.words._places import Asked, AtPlaces, openings_meant, opposed, walls_meant
 from robolayout.words._rows import ToldRows
 from robolayout.words._said import Place
-from robolayout.words.demands import Demand, EdgeGap, Way, by_ways, single, stated
+from robolayout.words.demands import Demand, EdgeGap, FreeDisc, Way, by_ways, single, stated
 
 SIDES_OF_A_LOUNGE = ("behind", "left_of", "right_of", "in_front_of")
 """Sides of a low table at which sofas stand that are around it, in their order."""
@@ -42,6 +42,16 @@ class AtSides(AtPlaces):
                 yield Demand(tuple((one, *way) for one, off in zip(clear, ways, strict=True) for way in off))
             else:
                 yield from (single(*clear), Demand(tuple(ways[0])))
+
+    def _turning(self, it: Asked) -> Iterator[Demand]:
+        """A free disc on which the body turns: before one of the larger things, or all around the middle of the room."""
+        wide, near = it.metres[0], tuple(self._points(it.place))
+        within = max(ways_of.LEAST_MIDDLE, wide / 2) if near else 0.0
+        if it.place is not None and it.place.name in ("middle", "room"):
+            yield from self._open(replace(it, metres=(wide / 2, wide / 2)))
+        fronts = sorted(it.subjects, key=lambda a: -self._asset(a).size[1])
+        ways = tuple((stated("keep_clear", AssetRef(a), "front", wide),) for a in fronts)
+        yield Demand(ways, FreeDisc(wide, near, within))
 
     def _off_walls(self, a: str, side: str, metres: float) -> Iterator[Way]:
         """Yield the ways in which a side of a thing, which stands at a wall or free, is so far from the wall that it looks at."""

@@ -68,7 +68,7 @@ class Demander(AtSides):
         if relation != "stacked":
             piled = {name for thing in self.stacked for name in self.names.get(thing, ())[1:]}
             it = replace(it, subjects=[name for name in it.subjects if name not in piled])
-        if relation in ("open", "bare"):
+        if relation in ("open", "bare", "turning"):
             it = replace(it, subjects=[one.name for one in self.scene.assets if one.on_floor and not one.is_flat])
         if not it.subjects:
             return ()
@@ -94,7 +94,7 @@ class Demander(AtSides):
         kinds = [self._named(mention) for mention in link.subjects]
         subjects = [name for kind in kinds for name in kind]
         others = [self._named(item) for item in mentions(link.objects)]
-        return Asked(subjects, others, places(link.objects), link.sided, kinds)
+        return Asked(subjects, others, places(link.objects), link.sided, kinds, link.metres)
 
     def _named(self, mention: Mention) -> tuple[str, ...]:
         names = self.names.get(mention.thing, ())

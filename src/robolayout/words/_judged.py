@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Literal
 
+from shapely import Polygon, get_parts
 from shapely.geometry.base import BaseGeometry
 
 from robolayout.assets import category_of
@@ -39,6 +40,10 @@ UP_TO = 0.5
 """Metres between a body's edge and what a way leads up to."""
 
 
+UNDER = 0.01
+"""Square metres below a thing at which the middle of a body that gets under it can be."""
+
+
 @dataclass(frozen=True)
 class Furnished:
     """What rows are judged by: a scene, a layout of it, and where the centre of its first body gets to from the door."""
@@ -46,6 +51,15 @@ class Furnished:
     scene: Scene
     layout: Layout
     walked: BaseGeometry | None = None
+
+    def walked_by(self, wide: float) -> BaseGeometry | None:
+        """Return where the middle of a disc so many metres wide gets to from the first door, wider than the body or as that."""
+        further = wide / 2 - self.scene.agents[0].radius
+        if self.walked is None or further <= 0.0:
+            return self.walked
+        parts, room = get_parts(self.walked.buffer(-further)).tolist(), self.scene.room
+        inside = [Polygon(room.landing(door)) for door in room.doors[:1]] or [Polygon(room.vertices)]
+        return min(parts, key=lambda part: part.distance(inside[0]), default=Polygon())
 
 
 @dataclass(frozen=True)

@@ -138,6 +138,7 @@ class Asked:
     places: Sequence[Place] = ()  # the places of the room to which it leads
     sided: str = ""  # at which sides of a table: "each", "long" or "end", if that is said
     kinds: Sequence[Sequence[str]] = ()  # what stands so, by the thing that was named
+    metres: tuple[float, float] = (0.0, 0.0)  # least and most that are told
 
     @property
     def place(self) -> Place | None:
@@ -413,7 +414,7 @@ class AtPlaces:
         """The middle of the room stays free: each thing stands in one of the four strips around it."""
         x0, y0, x1, y1 = self.room.bounds
         x, y = centre(self.room)
-        half = max(ways_of.LEAST_MIDDLE, ways_of.OPEN_SHARE * min(x1 - x0, y1 - y0))
+        half = it.metres[0] or max(ways_of.LEAST_MIDDLE, ways_of.OPEN_SHARE * min(x1 - x0, y1 - y0))
         strips = ((x0, y0, x - half, y1), (x + half, y0, x1, y1), (x0, y0, x1, y - half), (x0, y + half, x1, y1))
         for a in it.subjects:
             yield single(*(stated("zone", AssetRef(a), rectangle(*strip)) for strip in strips))

@@ -137,6 +137,7 @@ class References(Spoken):
             last.definite = last.definite and target
             return last if again else None
         new = chunk.det == "new" and not 0 < self.dealt.get(last, 0) < last.count
+        new = new or (chunk.det == "other" and (number or 0) >= last.count)  # "a desk at the door and 15 other desks"
         return None if new or (told and chunk.det not in small.NAMED) else last
 
     def _has_so_many(self, thing: NamedThing, det: str) -> bool:
@@ -290,11 +291,12 @@ class References(Spoken):
         self.said.links += [Link("far", (b,), (a,), chunk.start, self._ahead(-1).end) for a, b in pairs]
         return True
 
-    def _parted(self, rows: Link, aisle: Chunk, span: tuple[int, int], metres: float) -> None:
-        """Note that rows are at least so many metres apart, by the aisle that is said to be between them."""
+    def _parted(self, rows: Sequence[Link], aisle: Chunk, span: tuple[int, int], metres: float) -> None:
+        """Note how many metres rows are apart at least, by the aisle that is said to be between them; without rows all ways."""
         self._understood(aisle)
         self.said.facts[:] = [fact for fact in self.said.facts if fact is not aisle]
-        self.said.links.append(Link("apart", rows.subjects, (), *span, (metres, math.inf)))
+        how, about = ("apart", rows[-1].subjects) if rows else ("way", ())
+        self.said.links.append(Link(how, about, (), *span, (metres, math.inf)))
 
     def _at_both_sides(self, chunk: Chunk) -> bool:
         """Note two opposite walls for what is at the sides of nothing else: "a galley kitchen with counters on both sides"."""
@@ -352,6 +354,9 @@ class References(Spoken):
 
     def _link(self, chunk: Chunk, subjects: Sequence[Mention], objects: Sequence[Item]) -> None:
         """Note a relation; what stands at each of several things is as many times there."""
+        at_bar = chunk.value in ("left", "right") and not objects and all(mention.sat_on for mention in subjects)
+        if at_bar and [mention.thing.head for mention in self.holder] == ["counter"]:
+            subjects, objects = self.holder, [Place("side", (chunk.value,))]  # "a bar with five stools on the left"
         self.about = list(subjects)
         led = objects or (self._led_back(chunk.value) if chunk.value in small.LED_BACK else [])
         there = [(b.thing, b.pick) for b in mentions(led)]  # "a stool and a lamp 1 m from the stool": the lamp
@@ -393,6 +398,9 @@ class References(Spoken):
         if chunk.value == "flank":
             return self._on_both_sides(chunk, subjects, objects)
         table = next((m.thing for m in mentions(led[:1]) if m.thing.has_sides), None)
+        island = table is not None and table.head == "island" and sum(m.count for m in subjects) > 1
+        if island and chunk.value in ("left", "right") and all(m.sat_on for m in subjects):
+            return replace(chunk, value="oneside", adjectives=())  # more than its end holds
         if chunk.value == "end" and table is not None and all(m.sat_on for m in subjects):
             return replace(chunk, value="oneside", adjectives=("end",))
         half = chunk.value in ("left", "right") and place_in(led[:1], "side")

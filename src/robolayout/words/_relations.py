@@ -118,9 +118,15 @@ class Relating(About):
         )
 
     def _of_the_room(self, chunk: Chunk) -> bool:
-        """Note what is asked of the room itself: an open middle, a way to something, daylight at it."""
-        if chunk.value not in ("open", "way", "light"):
+        """Note what is asked of the room itself: an open middle, a way to something, room to turn, daylight at it."""
+        if chunk.value not in ("open", "way", "beneath", "turning", "light"):
             return False
+        told = self.chunks[: self.at - 1]
+        while told and told[-1].kind == "filler":
+            told.pop()
+        wide = told[-1].measure if told and chunk.value in ("way", "turning") else None  # "a 90 cm way"
+        self.said.missed[:] = [other for other in self.said.missed if wide is None or other is not told[-1]]
+        self._understood(*told[-1:] * (wide is not None))
         found: list[Item] = []
         while chunk.value != "open" and self.at < len(self.chunks):
             following, after = self._ahead(), self._ahead(1)
@@ -135,7 +141,9 @@ class Relating(About):
         if self._ahead().kind == "rel" and mentions(found[-1:]):
             self.group = mentions(found[-1:])  # "a way to the desk by the bed"
         named = {"light": "lit"}.get(chunk.value, chunk.value)
-        self.said.links.append(Link(named, things, () if things else tuple(found), chunk.start, chunk.end))
+        metres = (wide.values[0], math.inf) if wide is not None else (0.0, 0.0)
+        first = told[-1].start if wide is not None else chunk.start
+        self.said.links.append(Link(named, things, () if things else tuple(found), first, chunk.end, metres))
         return True
 
     def _on_rel(self, chunk: Chunk) -> None:
@@ -152,6 +160,15 @@ class Relating(About):
             return
         every = self._ahead(-2).value in small.EVERY
         subjects = self._subjects(chunk.value)
+        if (
+            chunk.adjectives[-2:] == ("reach", "of")
+            and chunk.value == "near"
+            and self._ahead().kind in ("body", "people")
+        ):
+            self.said.links.append(
+                Link("way", (), tuple(subjects), chunk.start, chunk.end)
+            )  # "within reach of a child"
+            return
         if chunk.value == "holds":
             subjects = self._holders(subjects, every=every)
         if chunk.value == "holds" and not subjects:
@@ -180,7 +197,7 @@ class Relating(About):
         rows = [link for link in self._here if link.relation == "rows"]
         if rows and chunk.value in ("amid", "middle") and self._ahead(-2).value == "aisle":
             aisle, _ = self._ahead(-2), self._objects(chunk)  # "two rows with an aisle between them"
-            self._parted(rows[-1], aisle, (aisle.start, self._ahead(-1).end), MIDDLE_AISLE)
+            self._parted(rows, aisle, (aisle.start, self._ahead(-1).end), MIDDLE_AISLE)
             return True
         benches = [mention.thing for mention in self.group[-1:] if mention.thing.head in ("pew", "bench")]
         ends = self._ahead().kind in ("", "stop") and [thing.head for thing in self.said.things] == ["pew"]
@@ -371,6 +388,8 @@ class Relating(About):
         if [chunk.value for chunk in clause] in (["everybody"], ["everyone"]) or self._ahead(-2).value == "everything":
             return True  # "everybody looks at the board", "everything along one wall"
         clause = [chunk for chunk in clause if chunk.kind != "filler"]
+        if [chunk.kind for chunk in clause[-1:]] == ["people"] and "sitting" in self._ahead(-1).adjectives:
+            return True  # "a lamp such that a person sitting on the sofa sees it"
         if len(clause) < 2 or any(chunk.kind in ("thing", "pron") for chunk in clause):
             return False
         who, does = clause[0], clause[1].kind in ("verb", "other")

@@ -5,15 +5,21 @@ from __future__ import annotations
 import re
 from bisect import bisect_left
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from itertools import accumulate
 
-from robolayout.words._tokens import Measure, Token
+from robolayout.words._tokens import Measure, Token, measures
 
 METRES = {"WIDTH": 0.0, "TURNING": 1.5}
 """Metres of free floor by the word of a rule: as much as the body needs to pass (0), or a wheelchair to turn round (ISO 21542)."""
 
 _MUST = r"(?:can|could|must|should|has to|have to|needs to)"
 _PARTS = {
+    "WIDE": "(?:(?:of |at )?(?:at least |no less than |about |a minimum of |minimum ))?(LENGTH)(?: wide| in width)?",
+    "PATHS": "(?:FREE )?(?:main |central )?(?:path|walkway|way|passage|passageway|pathway|route|corridor)s?",
+    "LEADS": r"(?:from|to|between)(?: (?!is|are|must|should)\w+){1,12}?",
+    "SPINS": r"SPIN(?: (?:in|at|near|by|next to|close to|inside|before|in front of)(?= (?:the|its) (?:middle|cent|door|entrance|window)))?",
+    "SPIN": "turning (?:circle|space|area)s?",
     "OPENS": r"ABLE (?:be opened|open)(?: (?:fully|freely|completely|wide))*(?: without \w+ing(?: into)? (?:the|my) \w+)?",
     "ABLE": rf"(?:{_MUST}(?: be able to)?|(?:is|are) able to)(?: (?:easily|always|still|also|safely))?",
     "BE": rf"(?:(?:is|are|stays?|remains?|{_MUST} be) (?:easily |always |still )?)?(?:reachable|reached|accessible|accessed)",
@@ -27,6 +33,7 @@ _PARTS = {
     "ENOUGH": r"(?:enough|plenty of|sufficient|adequate|some)",
     "WHO": r"for (?:a|the|my|his|her|their) (?:\w+ )?\w+",
     "WORDS": r"(?:\w+ ){0,2}?\w+(?: (?:straight|directly))?",
+    "MUSTS": rf"(?:(?:that|which) )?(?:is|are|being|stays?|remains?|{_MUST} (?:all )?be)",
     "END": r"(?= (?:[.,;:!?\n]|and|so)(?: |$)|$)",
 }  # fmt: skip
 _PARTS["AT"] = (
@@ -36,19 +43,26 @@ _PARTS["AT"] = (
 _PARTS["ONE"] = r"(?:the|each|every|my|his|her|their|both|all|its)"
 _GETS = "ABLE (?:reach|access|approach|use|GO to)"
 _ROOM = "(?:ENOUGH )?(?:FREE )?SPACE"
-_TURN = "turning (?:circle|space|area)"
 _SAID = {
+    r"(?:humanoid(?: robot)? \( )?unitree g 1(?: \))?": "humanoid robot",
+    "(?:beside|next to|alongside) (THING) on (SIDES)": "on {2} of {1}",
+    "WIDE between (THING) and the walls? on (SIDES)": "{1} of free space on {3} of {2}",
     rf"{_GETS} (SIDES) of": "can ; WIDTH of free space on {1} of",
     rf"{_GETS} (THING) from (SIDES)": "can ; WIDTH of free space on {2} of {1}",
     "ABLE get (?:in and )?out of (?:the )?bed (?:on|from|at) (SIDES)": "can ; WIDTH of free space on {1} of the bed",
     "BE from (SIDES)": "with WIDTH of free space on {1}",
     "ABLE GO (from (?:the|my) WORDS) to": "can ; a way {1} to",
     "ABLE GO (around|behind)(?= THING)": "can ; WIDTH of free space {1}",
+    "ABLE (?:get|drive|go|fit|pass|move|clean|crawl) (?:under|underneath|beneath)(?= ONE )": "can ; way under",
     "ABLE turn(?: a?round)? (AT)": "can ; TURNING of free space {1}",
+    f"{_GETS} (?:everything|every (?:piece of furniture|corner)|all (?:of )?(?:the )?furniture)": "can ; WIDTH path to ;",
     f"{_GETS}(?= ONE )": "can ; a way to",
+    "ABLE (?:park|stop|stay|transfer) (AT)": "can ; WIDTH of free space {1}",
     "ABLE (?:reach|touch) from(?= THING)": "near",
     "ABLE (?:see|watch) ((?:the|my) WORDS) from ((?:the|my) WORDS)": "can ; {2} faces {1}",
+    r"(?:an? |the )?\w+ sitting (?:on|in|at) ((?:the|my) WORDS) ABLE (?:see|watch) ((?:the|my) WORDS)": "; {1} faces {2}",
     "((?:the|my) (?:door|window|entrance)) (?:is|must be|should be) (?:visible|seen) from ((?:the|my) WORDS)": "; {2} faces {1}",
+    r"no (?:\w+ ){1,3}(?:should|must|may) (?:have|sit with|stand with) (?:its|their) backs? (?:to|towards) the \w+": "unreadable",
     "leaving(?= (?:at least |about |around )?LENGTH between )": "with",
     "(?:that|which) (?:is|are) (?:reachable|accessible|usable) (?:by|to|for|with)(?= (?:a|an|the|my) )": "for",
     "(THING) BE from(?= the door)": "; a way to {1} from",
@@ -61,14 +75,28 @@ _SAID = {
     rf"{_ROOM} to (?:GO|stand|transfer|park)(?: \w+)? (AT)": "WIDTH of free space {1}",
     rf"{_ROOM} (WHO) (AT)": "{1} , WIDTH of free space {2}",
     "(?:ENOUGH (?:FREE )?|FREE )SPACE (AT)": "WIDTH of free space {1}",
-    rf"(?:an? )?(LENGTH) (?:wide )?{_TURN} (AT)": "{1} of free space {2}",
-    rf"(?:an? )?{_TURN} of (LENGTH) (AT)": "{1} of free space {2}",
-    rf"(?:an? |the )?{_TURN} (AT)": "TURNING of free space {1}",
+    "(?:an? )?WIDE SPIN (AT)": "{1} of free space {2}",
+    "(?:an? )?SPIN of WIDE (AT)": "{1} of free space {2}",
+    "(?:an? |the )?SPIN (AT)": "TURNING of free space {1}",
+    "(?:an? )?WIDE SPINS": "{1} of floor to turn",
+    "(?:an? )?SPIN (?:of|with) WIDE(?: (?:in )?diameter)?(?: in(?= the (?:middle|cent)))?": "{1} of floor to turn",
+    "(?:an? |the )?SPINS": "TURNING of floor to turn",
+    "(?:LEAVE )?(?:an? |the )?PATHS (?:of )?WIDE(?= (?:from|to|between) )": "; {1} path",
+    "(?:an? |the |all |any )*PATHS (LEADS) MUSTS WIDE": "; {2} path {1}",
+    "(?:LEAVE )?(?:an? )?WIDE PATHS(?= (?:from|to|between) )": "; {1} path",
+    "(?:and )?(?:with )?(?:LEAVE )?(?:an? |all |the |any |every )*PATHS (?:MUSTS )?(?:of )?WIDE"
+    "(?: (?:in between|between them))?END": "; {1} path to",
+    "LEAVE WIDE to (?:walk|pass|get by|move|go|roll)(?: through| by| past| around)?END": "; {1} path to",
+    "(?:LEAVE )?(?:an? )?WIDE PATHSEND": "; {1} path to",
+    "(?:PATHS|aisles?) (?:(?:that|which) (?:is|are) )?wide enough for(?= (?:a|an|the|my) )": "; WIDTH path to ; for",
+    r"(?:all |the )*aisles? (?:between (?:ONE )?(?:(?!must|should|are|is)\w+ )?\w+(?: MUSTS)?|MUSTS) WIDEEND": "{1} aisles",
+    "(?:the |an? |my )?(?:(?:emergency|fire|main|front) )?((?:exit|door|entrance|doorway)s?)(?: door)? "
+    "(?:must|should|has to|needs to) (?:always )?(?:stay|remain|be kept|be) (?:FREE|accessible)": "; nothing in front of the {1}",
     r"(?:turned|rotated|angled|tilted|swivelled)(?: by)?(?: \d+ degrees?)? (?:towards?|to face)": "facing",
     "at one end and ((?:a |an |the )?WORDS) at the (?:other|other end|opposite end)": "on the left and {1} on the right",
     "(in an? (?:u|horseshoe|semicircle|half circle)(?: shape| formation)?) open(?:ing)?(?: up)? (?:to|towards?)": "{1} facing",
-    "(; a way [^.;]*?) and to(?= ONE )": "{1} and",
-    "(; a way [^.;,]*?) ,(?= ONE (?:[^.;,]+ , ONE )*[^.;,]+ and ONE )": "{1} and",
+    r"(; (?:a way|way under|\S+ path) [^.;]*?) and to(?= ONE )": "{1} and",
+    r"(; (?:a way|way under|\S+ path) [^.;,]*?) ,(?= ONE (?:[^.;,]+ , ONE )*[^.;,]+ and ONE )": "{1} and",
 }
 """Phrases, and what is said in their place; groups stay as they are."""
 
@@ -79,7 +107,9 @@ def _compiled(phrase: str) -> re.Pattern[str]:
     return re.compile(rf"(?<!\S)(?<!of ){phrase}(?!\S)")
 
 
-_RULES = tuple((_compiled(phrase), said.split(), "LENGTH" in phrase) for phrase, said in _SAID.items())
+_RULES = tuple(
+    (_compiled(phrase), said.split(), "LENGTH" in phrase or "WIDE" in phrase) for phrase, said in _SAID.items()
+)
 
 
 def reworded(words: list[Token]) -> list[Token]:
@@ -98,10 +128,22 @@ def _put(said: Sequence[str], words: Sequence[Token], spans: Sequence[slice], *,
     It stands for the whole phrase; where that has `figures`, which are found by their places, for nothing of it.
     """
     at, end = words[spans[0].start].start, words[spans[0].stop - 1].end
-    for word in said:
+    last = max((i for i, word in enumerate(said) if word.startswith("{")), default=-1)
+    for i, word in enumerate(said):
         if word.startswith("{"):
-            yield from words[spans[int(word[1])]]
-            at = words[spans[int(word[1])].stop - 1].end if figures else at
+            group = words[spans[int(word[1])]]
+            told = (
+                measures(" ".join(one.text for one in group)) if figures and group[0].text not in ("the", "a") else []
+            )
+            if told:
+                group = [
+                    replace(
+                        group[0], end=group[-1].end, measure=replace(told[0], start=group[0].start, end=group[-1].end)
+                    )
+                ]
+            yield from group
+            at = group[-1].end if figures else at
         else:
             meant = Measure("length", (METRES[word],), at, at) if word in METRES else None
-            yield Token(word.lower(), at, at if figures else end, meant)
+            there = (end, end) if figures and i > last >= 0 else (at, at if figures else end)
+            yield Token(word.lower(), *there, meant)

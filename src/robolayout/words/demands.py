@@ -5,6 +5,8 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
+from shapely import Point, Polygon, get_parts, maximum_inscribed_circle, union_all
+
 from robolayout.constraints import RELATIONS, TOLERANCE, AssetRef, Outcome, PointRef, Relation, WallRef
 from robolayout.constraints._exact import footprint, shape
 from robolayout.constraints._relation import Way, best_way
@@ -41,11 +43,44 @@ class EdgeGap:
 
 
 @dataclass(frozen=True)
+class FreeDisc:
+    """So much free floor that a body turns round on it: a disc, anywhere or with its middle near one of some points."""
+
+    diameter: float  # metres
+    near: tuple[PointRef, ...] = ()  # points, in metres; none leaves it anywhere
+    within: float = 0.0  # metres from one of them to the middle of the disc
+
+    def asset_names(self) -> tuple[str, ...]:
+        """It is about the floor, and no thing."""
+        return ()
+
+    def sentence(self) -> str:
+        """What is asked, in words."""
+        return f"a free disc of {self.diameter:g} m" + " there" * bool(self.near)
+
+    def check(self, scene: Scene, layout: Layout) -> Outcome:
+        """The largest disc that touches neither walls nor what stands there below the body's height is at most 0.05 m smaller."""
+        tall = max(agent.height for agent in scene.agents)
+        there = (one for one in scene.assets if one.name in layout and not one.is_flat)
+        low = (one.name for one in there if layout[one.name].z - one.size[2] / 2 < tall)
+        taken = union_all([footprint(scene, layout, AssetRef(name)) for name in low])
+        radius = self.diameter / 2 - TOLERANCE.gap / 2
+        room = Polygon(scene.room.vertices)
+        around = [Point(at.x, at.y).buffer(self.within + radius) for at in self.near]
+        free = (room.intersection(union_all(around)) if around else room).difference(taken)
+        parts: list[Polygon] = [part for part in get_parts(free).tolist() if isinstance(part, Polygon)]
+        widest = max((2 * maximum_inscribed_circle(part, 0.005).length for part in parts), default=0.0)
+        return Outcome(
+            widest >= 2 * radius, widest, self.diameter, "m", f"the largest free disc is {widest:.2f} m wide"
+        )
+
+
+@dataclass(frozen=True)
 class Demand:
     """One thing that must hold, and the ways in which it can."""
 
     ways: tuple[Way, ...]  # statements of the public vocabulary; one of these ways is enough
-    exact: BetweenTwo | Around | None = None  # what is judged instead, where the ways only lead there
+    exact: BetweenTwo | Around | FreeDisc | None = None  # what is judged instead, where the ways only lead there
     gap: EdgeGap | None = None  # the same of metres between edges
     also: tuple[Way, ...] = ()  # further ways that are as good, of which planners need not know
 

@@ -266,6 +266,8 @@ class _RowMaker:
         words = self.reading.span(link.start, link.end)
         if link.relation == "way":
             return self._way(link, words)
+        if link.relation == "beneath":
+            return self._beneath(link, words)
         about = ", ".join(as_row.shown(mention) for mention in link.subjects)
         to = " and ".join(as_row.shown(item) for item in link.objects)
         said = [about, words, to] if about not in words.lower() else [to, "with", words] if to else [words]
@@ -300,9 +302,14 @@ class _RowMaker:
                 yield as_row.unread(f"{as_row.shown(item)}: {row.words}", "nothing is asked of it there")
 
     def _way(self, link: Link, words: str) -> Unjudged:
-        """Return the row of a way: the body gets up to each of the things and places that are named."""
+        """Return the row of a way: the body, or a disc of the width that is told, gets up to all that is named, or to everything."""
+        wide = link.metres[0]
         to = " and ".join(as_row.shown(item) for item in link.objects)
         things = tuple(name for item in mentions(link.objects) for name in self.names.get(item.thing, ()))
+        if link.metres[1] and not link.objects:
+            things = tuple(
+                one.name for one in self.scene.assets if one.on_floor and not (one.is_flat or one.lies_about)
+            )
         room = self.scene.room
         there = (place_in([item], "door", "window") for item in link.objects)
         places = [openings(room, place.name) for place in there if place is not None]
@@ -310,8 +317,11 @@ class _RowMaker:
             return as_row.unread(f"{words} {to}".strip(), "nothing that a way can lead to")
 
         def judge(furnished: Furnished) -> Finding:
-            if furnished.walked is None:
+            walked = furnished.walked_by(wide)
+            if walked is None:
                 return "not judged", ""
+            if walked.is_empty:
+                return met(False, "there is none")
             ends: list[list[BaseGeometry]] = [
                 [footprint(furnished.scene, furnished.layout, AssetRef(name))] for name in things
             ]
@@ -320,11 +330,30 @@ class _RowMaker:
                     (room.walls[o.wall].point(o.offset), room.walls[o.wall].point(o.offset + o.width)) for o in found
                 )
                 ends.append([LineString(sill) for sill in sills])
-            away = max(min(end.distance(furnished.walked) for end in nearest) for nearest in ends)
-            left = max(0.0, away - furnished.scene.agents[0].radius)
+            away = max(min(end.distance(walked) for end in nearest) for nearest in ends)
+            left = max(0.0, away - max(wide / 2, furnished.scene.agents[0].radius))
             return met(left <= as_row.UP_TO, f"the way ends {left:.2f} m before it")
 
-        return Unjudged(f"{words} {to}".strip(), "way", "a way for the body", judge, things)
+        meant = f"a way {wide:g} m wide" if wide else "a way for the body"
+        return Unjudged(f"{words or 'a way to'} {to}".strip(), "way", meant, judge, things)
+
+    def _beneath(self, link: Link, words: str) -> Unjudged:
+        """Return the row of what a body gets under: its middle does."""
+        things = tuple(name for item in mentions(link.objects) for name in self.names.get(item.thing, ()))
+        said = f"{words} {' and '.join(as_row.shown(item) for item in link.objects)}"
+
+        def judge(room: Furnished) -> Finding:
+            if room.walked is None:
+                return "not judged", ""
+            feet = [footprint(room.scene, room.layout, AssetRef(name)) for name in things]
+            least = min(room.walked.intersection(foot).area for foot in feet)
+            return met(least > as_row.UNDER, f"its middle gets under {least:.2f} m2 of it")
+
+        return (
+            Unjudged(said, "way", "the body gets under it", judge, things)
+            if things
+            else as_row.unread(said, "under no thing")
+        )
 
     def _nothing_else(self, room: Furnished) -> Finding:
         """Judge that nothing is there but what was named."""

@@ -89,6 +89,11 @@ class Reading:
         return (found[0], found[1]) if found else None
 
     @property
+    def way(self) -> float:
+        """Metres that ways are asked to be wide; 0 if nothing is said."""
+        return max((link.metres[0] for link in self.parsed.links if link.relation == "way"), default=0.0)
+
+    @property
     def unwanted(self) -> frozenset[str]:
         """Kinds that must not be there."""
         return frozenset(noun.kind for noun, _ in self.parsed.refused)
