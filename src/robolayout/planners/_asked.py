@@ -295,8 +295,9 @@ def _join(relation: Relation, a: Cast, b: Cast, asked: Mapping[str, Relation], p
 
 
 def _before(a: Cast, b: Cast, gap: float) -> Join:
-    """Return how a thing joins another that it is asked to be in front of: looking at it; chests and sofas look away from a bed."""
-    if a.role.name in ("box", "sofa") and b.role.name.endswith("bed"):
+    """Return how a thing joins another that it is asked to be in front of: looking at it; sofas and what opens look away from a bed."""
+    opens = a.category.open_depth > 0 and a.role.name != "tv"
+    if (opens or a.role.name == "sofa") and b.role.name.endswith("bed"):
         return Join("front", (), gap=gap, loose=True, faces="same", say=usual_say("front")[1:])
     return Join("front", (), gap=gap, loose=True, faces="anchor")
 

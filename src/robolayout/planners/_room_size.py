@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from robolayout._errors import SceneError
 from robolayout.constraints.in_shape import shape_slots
 from robolayout.planners._wishes import RoomWishes
 from robolayout.scene import FLAT_HEIGHT
-from robolayout.words import CROWD, SHAPES, named, place_in, places, rows_of
+from robolayout.words import BETWEEN_BEDS, CROWD, SHAPES, Link, Mention, NamedThing, named, place_in, places, rows_of
 
 
 @dataclass(frozen=True)
@@ -96,7 +96,12 @@ def _blocks(wishes: RoomWishes) -> Iterator[tuple[float, float]]:
             slots = shape_slots(shape, max(link.rows if grouped else thing.count, 3), depth, width, apart)
             round_it = max(depth, width) + 2 * SIZES.around + SIZES.walkway * kind.endswith(("desk", "table"))
             wide, deep = (max(at[k] for at in slots) - min(at[k] for at in slots) + round_it for k in (1, 0))
-            if grouped:  # each a circle of seats, in two rows
+            if grouped and thing.head == "desk":  # with their backs to each other
+                wide, deep = (
+                    math.ceil(link.rows / 2) * width + 2 * SIZES.around + SIZES.walkway,
+                    2 * (depth + SIZES.between),
+                )
+            if grouped:  # each a circle of seats, or an island, in two rows
                 yield math.ceil(thing.count / link.rows / 2) * wide, min(2, thing.count // link.rows) * deep
                 continue
             before = any(k.relation in ("facing", "front") and thing in named(k.subjects) for k in links)
@@ -111,21 +116,41 @@ def _blocks(wishes: RoomWishes) -> Iterator[tuple[float, float]]:
             wide, deep = width + across * link.metres[0], depth + ahead * link.metres[0]
             beside = (0.0, SIZES.around, SIZES.before)  # what stands beyond, at no side, one or two
             yield wide + beside[across], deep + beside[ahead]
-        spaced = link.relation == "apart" and not link.objects and len(line) == 1 and line[0].thing.count >= CROWD
-        crowd = link.relation == "rows" and line and (link.rows > 1 or (not link.rows and line[0].thing.count >= CROWD))
-        looking = link.relation == "facing" and bool(wishes.audience & named(line) - told)
-        for thing in [one.thing for one in link.subjects if spaced or crowd or looking][:1]:
-            kind, rows = wishes.kind(thing), thing.rows if spaced else link.rows
-            depth, width, height = wishes.kinds[kind].size
-            rows = rows_of(thing.count) if looking else rows
-            rows, gap = (rows, 0.0) if rows > 0 else (math.ceil(math.sqrt(thing.count)), link.metres[0])
-            each = math.ceil(thing.count / rows)
-            aisle = SIZES.between if kind.endswith(("desk", "table")) else SIZES.aisle * (height >= FLAT_HEIGHT)
-            aisle += link.metres[0] * spaced
-            ahead = rows * (depth + aisle) + SIZES.around + SIZES.before
-            watching = any(k.relation == "facing" and thing in named(k.subjects) for k in links)
-            yield each * (width + gap) + 2 * SIZES.around, ahead
-            yield ahead * watching, ahead  # what they watch may be at any wall
+        yield from _in_rows(wishes, link, line, told)
+
+
+def _in_rows(
+    wishes: RoomWishes, link: Link, line: Sequence[Mention], told: set[NamedThing]
+) -> Iterator[tuple[float, float]]:
+    """Yield how wide and how deep straight rows are, of things spaced evenly and of an audience, too."""
+    links = wishes.reading.parsed.links
+    spaced = link.relation == "apart" and not link.objects and len(line) == 1 and line[0].thing.count >= CROWD
+    crowd = link.relation == "rows" and line and (link.rows > 1 or (not link.rows and line[0].thing.count >= CROWD))
+    looking = link.relation == "facing" and bool(wishes.audience & named(line) - told)
+    for thing in [one.thing for one in link.subjects if spaced or crowd or looking][:1]:
+        kind, rows = wishes.kind(thing), thing.rows if spaced else link.rows
+        depth, width, height = wishes.kinds[kind].size
+        rows = rows_of(thing.count) if looking else rows
+        rows, gap = (rows, 0.0) if rows > 0 else (math.ceil(math.sqrt(thing.count)), link.metres[0])
+        each = math.ceil(thing.count / rows)
+        aisle = SIZES.between if kind.endswith(("desk", "table")) else SIZES.aisle * (height >= FLAT_HEIGHT)
+        aisle += link.metres[0] * spaced
+        width += _beside_a_bed(wishes, thing) if thing.head == "bed" else 0.0
+        ahead = rows * (depth + aisle) + SIZES.around + SIZES.before
+        watching = any(k.relation == "facing" and thing in named(k.subjects) for k in links)
+        ends = SIZES.seated if thing.head == "bed" else 0.0  # a door beside their heads
+        yield each * (width + gap) + 2 * SIZES.around + ends, ahead
+        yield ahead * watching, ahead  # what they watch may be at any wall
+
+
+def _beside_a_bed(wishes: RoomWishes, bed: NamedThing) -> float:
+    """Return metres of a row that lie between one bed and the next: what each has or is said to have beside it, and a way."""
+    links = (k for k in wishes.reading.parsed.links if k.relation in ("next", "with", "left", "right", "flank"))
+    own = {wishes.kind(m.thing) for k in links if bed in named(k.objects) for m in k.subjects}
+    kinds = [wishes.kinds[name] for name in {*own, *wishes.room.person} - {wishes.kind(bed)}]
+    return BETWEEN_BEDS + sum(
+        kind.size[1] for kind in kinds if kind.on_floor and not kind.name.endswith(("bed", "desk"))
+    )
 
 
 def possible(wishes: RoomWishes, wished: Mapping[str, int], size: tuple[float, float]) -> None:

@@ -66,6 +66,15 @@ def looked_at(demands: Iterable[Demand]) -> dict[str, str]:
     return {pair[0]: pair[1] for pair in pairs if len(pair) == 2}
 
 
+def watching(cast: Mapping[str, Cast], demands: Sequence[Demand]) -> dict[str, str]:
+    """Return the seats in rows of which one looks at a thing on the floor, with that thing."""
+    looks, crowd = looked_at(demands), audience(cast, demands)
+    blocks = [one.asset_names() for one in said(demands) if isinstance(one, InRows)] + [crowd] * bool(crowd)
+    seen = [(block, [looks[name] for name in block if name in looks]) for block in blocks]
+    sat_on = ((block, to[0]) for block, to in seen if to and cast[block[0]].role.name.endswith("seat"))
+    return {name: to for block, to in sat_on if cast[to].asset.on_floor for name in block}
+
+
 def lain_at(demands: Iterable[Demand]) -> dict[str, str]:
     """Return what is only asked to be before, beside or near one other thing, with that: a rug there lies below what belongs to it."""
     at = dict[str, set[tuple[str, ...]]]()

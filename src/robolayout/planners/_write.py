@@ -28,6 +28,7 @@ class Saying:
     """Weights of the first of several ways of standing, where the middle of the room is as good and where it is a last resort."""
     joined: float = 1.0  # weight of standing at what a thing joins, where it may stand elsewhere
     middle: float = 3.0  # weight of standing right in the middle of the room, where the words ask something to be there
+    before: tuple[float, float] = (1.2, 4.0)  # metres between who speaks and the middle of the first row that listens
     within: float = 0.06
     beyond: float = 0.15
     """Metres by which a gap may be smaller and larger than what is usual."""
@@ -50,7 +51,7 @@ class Writer:
         self.scene, self.cast = scene, cast
         self.asked = asked.subjects(words)  # of these roles only wish where they stand
         self.ringed, self.audience = asked.ringed(cast, words), asked.audience(cast, words)
-        self.rowed = asked.rowed(words)
+        self.rowed, self.watching = asked.rowed(words), asked.watching(cast, words)
         # before their corner, the wall for all of a row or the floor of a ring is taken
         self.first = asked.needing_room(cast, words) | self.ringed.keys()
         self.walled, self.formed = asked.held_by_walls(words), asked.formed(words)
@@ -81,7 +82,7 @@ class Writer:
             yield from self._joined(item)
         if not item.anchor or (item.join.loose and item.asset.on_floor):
             yield from self._standing(item)
-            yield from () if name in self.ringed else self._wishes(item)
+            yield from () if name in self.ringed or name in self.watching else self._wishes(item)
         yield from self._cleared(item)
         yield from self._faced(item)
 
@@ -142,8 +143,11 @@ class Writer:
         bound = SAYING.joined if self._leans(item) or name in self.asked else None
         if name in self.ringed:
             yield from self._in_a_ring(name)
-        elif name in self.audience:
-            if name == self.audience[-1]:
+        elif name in self.watching or name in self.audience:
+            if name in self.looked and name in self.watching:
+                at = f"{self._name(name)}, {self._name(self.watching[name])}"
+                yield f"solver.distance_constraint({at}, {SAYING.before[0]:g}, {SAYING.before[1]:g})"
+            if name in self.audience[-1:]:
                 rows = rows_of(len(self.audience))
                 yield f"solver.in_rows({self._list(self.audience)}, aisle=0, rows={rows})"
         elif modes[0] in ("hang", "ceiling", "rug"):

@@ -92,7 +92,9 @@ class AtSides(AtPlaces):
             seats = [*sofas, *armchairs]
             if len(sofas) > 1 and len(seats) <= len(SIDES_OF_A_LOUNGE) and len(it.others) == 1:
                 gaps = ways_of.AT_A_LOUNGE if len(seats) < len(SIDES_OF_A_LOUNGE) else ways_of.AROUND_A_LOUNGE
-                found |= {a: (side, gaps) for a, side in zip(seats, SIDES_OF_A_LOUNGE, strict=False)}
+                across = any({*two} <= {*sofas[:2]} for two in self.opposed)
+                sides = sorted(SIDES_OF_A_LOUNGE, key=lambda side: side in ("left_of", "right_of") if across else 0)
+                found |= {a: (side, gaps) for a, side in zip(seats, sides, strict=False)}
         return found
 
     def _around(self, it: Asked) -> Iterator[Demand]:

@@ -73,9 +73,9 @@ class Demander(AtSides):
         if not it.subjects:
             return ()
         if relation == "cleared":
-            return tuple(one for at in it.places for one in self._cleared(it.subjects, at.words[0], link.metres[0]))
+            return tuple(one for at in it.places for one in self._cleared(it.subjects, at.words[0], it.metres[0]))
         if relation in ("apart", "bare"):
-            return tuple(self._apart(it, link.metres if any(link.metres) else ways_of.OFF_A_WALL))
+            return tuple(self._apart(it, it.metres if any(it.metres) else ways_of.OFF_A_WALL))
         if relation in small.ENDS and place_in(link.objects, "room"):
             return tuple(self._at_place(it.subjects, Place("side", (small.ENDS[relation],))))
         if relation in ways_of.IN_A_CHAIN:
@@ -323,7 +323,7 @@ class Demander(AtSides):
     def _row(self, it: Asked) -> Iterator[Demand]:
         """Side by side: alike things in one line, others each at a side of the one before, turned the same way."""
         if alike(self.scene, it.subjects) and not self.told.flanked & {*it.subjects}:
-            yield in_rows(it.subjects, 1)
+            yield self.told.block(it.subjects)
             return
         if not any(self._asset(a).on_floor for a in it.subjects):
             yield from self._huddle(it)
@@ -419,8 +419,8 @@ class Demander(AtSides):
             return
         ends: list[AssetRef | PointRef] = [AssetRef(name) for name in it.others if name not in it.subjects]
         ends += self._points(it.place)[: 1 + it.place.plural] if it.place is not None else []
-        for a in it.subjects if len(ends) > 1 else ():
-            wide = self.told.abreast.get(it.others[0], 0) if it.place is None else 0
+        wide = self.told.abreast.get(it.others[0], 0) if it.others and it.place is None else 0
+        for a in it.subjects if len(ends) > 1 and not (wide and self._only_wall(it.subjects[0])) else ():
             across = ends[wide // 2 :: wide] if wide and len(ends) > 2 else ends  # between two rows
             lines = not wide and len(it.groups) == 2 and len(ends) > 2  # "between the sinks and the shower"
             if lines:

@@ -217,6 +217,8 @@ class References(Spoken):
             # "a washer and a dryer along a wall, an ironing board opposite"
             return faced or [m for each in here for m in each[:1] if m.thing not in named(self.about)]
         last = self.said.last
+        if relation == "flank" and last.relation in ("left", "right") and last.start >= self.began and not self.holder:
+            return mentions(last.objects)  # "a lectern to the right of the altar and candles on both sides"
         if relation == "above" and last.relation in ("abreast", "row") and last.start >= self.began:
             return [m for m in last.subjects if m.thing not in named(self.about)]  # "side by side, shelves above"
         if self.holder or relation not in ("left", "right"):  # "a side table within reach and a lamp behind"

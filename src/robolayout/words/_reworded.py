@@ -34,6 +34,7 @@ _PARTS = {
     "WHO": r"for (?:a|the|my|his|her|their) (?:\w+ )?\w+",
     "WORDS": r"(?:\w+ ){0,2}?\w+(?: (?:straight|directly))?",
     "MUSTS": rf"(?:(?:that|which) )?(?:is|are|being|stays?|remains?|{_MUST} (?:all )?be)",
+    "FEW": r"(?:\w+ ){0,2}\w+",
     "END": r"(?= (?:[.,;:!?\n]|and|so)(?: |$)|$)",
 }  # fmt: skip
 _PARTS["AT"] = (
@@ -45,6 +46,10 @@ _GETS = "ABLE (?:reach|access|approach|use|GO to)"
 _ROOM = "(?:ENOUGH )?(?:FREE )?SPACE"
 _SAID = {
     r"(?:humanoid(?: robot)? \( )?unitree g 1(?: \))?": "humanoid robot",
+    r"(room|dorm|dormitory|hall|hallway|corridor|cabin|pantry|office|closet|cellar|shop|store|warehouse|library|garage|lab|ward|barracks) "
+    r"with (FEW) on one side and (FEW) on the other(?: side)?END": "{1} with {2} along one wall and {3} along the opposite wall",
+    "speakers on (?:floor |tall )?stands": "speakers",
+    "(?:a|the) dance floor in the (?:middle|center|centre)(?: of the (?:room|hall))?": "the middle of the room free",
     "(?:beside|next to|alongside) (THING) on (SIDES)": "on {2} of {1}",
     "WIDE between (THING) and the walls? on (SIDES)": "{1} of free space on {3} of {2}",
     rf"{_GETS} (SIDES) of": "can ; WIDTH of free space on {1} of",

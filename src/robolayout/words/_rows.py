@@ -13,7 +13,7 @@ from robolayout.constraints.in_shape import InShape
 from robolayout.scene import Room, Scene
 from robolayout.words import _function_words as small
 from robolayout.words._said import Link
-from robolayout.words._ways import ACROSS, AISLE, BACK, BESIDE, CROWD, NEAR, looks_over, rows_of
+from robolayout.words._ways import ACROSS, AISLE, BACK, BESIDE, BETWEEN_BEDS, CROWD, NEAR, looks_over, rows_of
 from robolayout.words.demands import Demand, single, stated
 
 WIDER = 1.5
@@ -130,7 +130,10 @@ class ToldRows:
         gap, aisle = self.gap.get(names[0], 0.0), self.aisle.get(names[0], 0.0)
         count = self.count.get(names[0])
         others = [k for k in range(2, len(names) // 2 + 1) if k != count] if names[0] in self.uncounted else []
-        first, *also = (in_rows(names, k, turned, amid=amid, gap=gap, aisle=aisle) for k in (count, *others))
+        ways = [(k, turned) for k in (count, *others)]
+        if self.scene.by_name[names[0]].category.endswith((*small.SLEPT_ON,)):
+            gap, ways = gap or BETWEEN_BEDS, [(2, "facing")] * (ways == [(2, "alike")]) + ways  # heads at both walls
+        first, *also = (in_rows(names, k, how, amid=amid, gap=gap, aisle=aisle) for k, how in ways)
         return replace(first, also=tuple(way for block in also for way in block.ways))
 
     def opening(self, names: Sequence[str], to: Sequence[End]) -> Iterator[Demand]:

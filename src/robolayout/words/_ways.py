@@ -35,6 +35,9 @@ MIDDLE_AISLE = 1.2
 AISLE = 2.0
 """Metres between two rows between which something stands and can be got to."""
 
+BETWEEN_BEDS = 0.7
+"""Metres between beds that stand in a row."""
+
 AT_THE_FRONT = 3.5
 """Metres before a board that are the front of a room."""
 

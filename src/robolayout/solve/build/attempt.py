@@ -10,7 +10,7 @@ from functools import partial
 import numpy as np
 
 from robolayout.solve.build.cluster import Cluster
-from robolayout.solve.build.grid import grid_batches, in_one_row, last_cell, put_grid
+from robolayout.solve.build.grid import grid_batches, in_one_row, last_cell, off_walls, put_grid
 from robolayout.solve.build.member import GridPlan, Member
 from robolayout.solve.build.overhead import hang, lay_on, overhead
 from robolayout.solve.build.places import Places, batches, close
@@ -57,7 +57,8 @@ class Costs:
     noise: float = 0.1  # cost by which places vary from one attempt to the next
     mood: float = 0.5  # standard deviation of the logarithm by which wishes vary from one attempt to the next
     otherwise: float = 0.6  # cost of standing in a way that nothing says
-    elsewhere: float = 2.5  # cost of what belongs at a thing and stands at another side of it, or by itself
+    # cost of what belongs at a thing and stands at another side of it, or by itself; and of rows that could have their backs at walls
+    elsewhere: float = 2.5
 
 
 COSTS = Costs()
@@ -386,7 +387,7 @@ class BuildPass:
             unmet = self.site.missed(batch.cluster.members, batch.poses)
             missed = min(missed, float(unmet.min()))
             cost += unmet + COSTS.tight * plan.tight + COSTS.ragged * (plan.rows * plan.columns - len(plan.names))
-            cost += 0.3 * abs(plan.rows - plan.columns) ** 0.5
+            cost += 0.3 * abs(plan.rows - plan.columns) ** 0.5 + COSTS.elsewhere * off_walls(self.site, plan, batch)
             rows = np.argsort(cost, kind="stable")
             tried = rows[:4]
             if plan.cells:

@@ -7,12 +7,13 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 import numpy as np
+import shapely
 from numpy.typing import NDArray
 
 from robolayout.constraints.in_shape import SHAPES, InShape
 from robolayout.solve.build.cluster import Cluster
 from robolayout.solve.build.member import GridPlan, Member, Rect, box_of
-from robolayout.solve.build.places import Places, room_yaws, targets
+from robolayout.solve.build.places import WALL_GAP, Places, room_yaws, targets
 from robolayout.solve.build.site import Site
 
 BACKS = 0.03
@@ -21,6 +22,12 @@ BACKS = 0.03
 ENTERED = 0.35
 WIDER = 0.15
 """Metres between seats of a circle that one squeezes through, and by which what turns to its middle leaves more than a corridor."""
+
+AISLES = ((1.0, 1.0), (1.0, 0.1), (1.35, 1.0), (1.35, 0.1), (1.8, 1.8))
+"""By how much aisles are wider than they must be, and gaps wider or closer than is told, in the arrangements that are tried."""
+
+AT_BACK = 0.15
+"""Metres between a wall and the back of what stands at it, at most: a chair beside a bed may stand a little behind its head."""
 
 TIGHTEST = 0.5
 """Metres between things in a row up to which these may stand closer where there is no room for it."""
@@ -45,17 +52,38 @@ def grid_batches(site: Site, clusters: Sequence[Cluster]) -> Iterator[tuple[Grid
         count = math.ceil(len(names) / columns)
         if columns * (count - 1) >= len(names) or (rows.rows and columns != wide):
             continue
-        for wider, closer in ((1.0, 1.0), (1.0, 0.1), (1.35, 1.0), (1.35, 0.1), (1.8, 1.8)):
-            if closer < 1.0 and gap0 > TIGHTEST:
+        both = 1 if rows.backs == "alike" else 2  # chairs of both rows stand in the aisle
+        aisles = [(between[0] * both + aisle0 * wider, closer) for wider, closer in AISLES]
+        walled = (
+            [*_walled(site, size[0] / 2 - extent[0], aisles[0][0])] if rows.backs == "facing" and count == 2 else []
+        )
+        for aisle, closer in (*walled, *aisles):
+            if closer < 1.0 and gap0 > max(TIGHTEST, between[1]):
                 continue
-            both = 1 if rows.backs == "alike" else 2  # chairs of both rows stand in the aisle
-            aisle = round(between[0] * both + aisle0 * wider, 2)
             gap = round(between[1] + gap0 * (closer if gap0 > 0.3 else 1.0), 2)
-            plan = GridPlan(names, count, columns, aisle, gap, rows.backs, closer < 1.0)
+            plan = GridPlan(names, count, columns, round(aisle, 2), gap, rows.backs, closer < 1.0)
             cluster = _cluster(clusters, plan, size)
             poses = _poses(site, cluster, _yaws(site, cluster))
             if len(poses):
                 yield plan, Places("grid", cluster, poses, np.full(len(poses), -1))
+
+
+def _walled(site: Site, deep: float, least: float) -> Iterator[tuple[float, float]]:
+    """Yield how wide the aisle is between two rows, each so deep, with their backs to opposite walls, and by how much gaps are closer."""
+    left, bottom, right, top = site.room.bounds
+    aisles = (side - 2 * (deep + WALL_GAP) for side in (right - left, top - bottom))
+    yield from ((aisle, closer) for aisle in aisles if aisle >= least for closer in (1.0, 0.1))
+
+
+def off_walls(site: Site, plan: GridPlan, batch: Places) -> NDArray[np.bool_]:
+    """Return (n,) whether rows that face each other have not both their backs at walls, where such things usually do."""
+    if plan.backs != "facing" or next(iter(site.wants[plan.names[0]].stands), "") != "wall":
+        return np.zeros(len(batch.poses), np.bool_)
+    size, walls = site.size(plan.names[0]), shapely.LinearRing(site.room.vertices)
+    there = np.array([Member("", *cell_poses(plan, size)[k]).everywhere(batch.poses) for k in (0, -1)])
+    backs = there[..., :2] - size[0] / 2 * np.stack([np.cos(there[..., 2]), np.sin(there[..., 2])], axis=-1)
+    away = np.asarray(shapely.distance(shapely.points(backs), walls))
+    return np.any(away > AT_BACK, axis=0)
 
 
 def _shaped(site: Site, clusters: Sequence[Cluster], shape: InShape) -> Iterator[tuple[GridPlan, Places]]:
