@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from itertools import pairwise
 
 import pytest
 import shapely
@@ -215,3 +216,49 @@ def test_what_is_drawn_on_a_thing_is_no_thing_of_its_own(text: str, drawn: str) 
 def test_a_vase_alone_gets_a_table() -> None:
     run = rl.generate("A room with a vase", seed=0)
     assert foot(run, "side_table-0").contains(foot(run, "vase-0").centroid) and run.report.ok
+
+
+@pytest.mark.parametrize(
+    ("text", "kind", "count"),
+    [
+        ("a storage room with three crates stacked in the corner", "crate", 3),
+        ("a warehouse with a stack of four pallets in the corner", "pallet", 4),
+        ("a walk-in wardrobe with two suitcases stacked in the corner", "suitcase", 2),
+    ],
+)
+def test_what_is_piled_stands_on_each_other_and_nothing_between(text: str, kind: str, count: int) -> None:
+    result = made(text)
+    pile = sorted(of(result, kind), key=lambda name: result.layout[name].z)
+    assert result.report.ok
+    assert len(pile) == count
+    for below, above in pairwise(pile):
+        assert math.dist(result.layout[below].at, result.layout[above].at) < 0.11
+        assert result.layout[above].z > result.layout[below].z
+
+
+def test_a_soundbar_under_a_television_on_the_wall_stands_on_what_is_below_that() -> None:
+    result = made("a living room with a TV on the wall and a soundbar under the TV")
+    bar, screen, stand = (result.layout[name] for name in ("soundbar-0", "television-0", "tv_stand-0"))
+    assert result.report.ok
+    assert bar.z < screen.z
+    assert math.dist(bar.at, screen.at) < 0.5
+    assert math.dist(bar.at, stand.at) < 0.4
+
+
+def test_a_projector_that_is_said_to_hang_hangs_from_the_ceiling() -> None:
+    result = made("a classroom with ten desks and a projector hanging from the ceiling")
+    (name,) = of(result, "projector")
+    room, height = result.scene.room, result.scene.by_name[name].size[2]
+    assert result.report.ok
+    assert result.layout[name].z + height / 2 == pytest.approx(room.wall_height, abs=0.05)
+
+
+def test_a_reception_desk_along_a_wall_leaves_room_for_who_sits_behind_it() -> None:
+    result = made("a lobby with a reception desk along the back wall with two computers on it")
+    desk = result.layout["reception_desk-0"]
+    (wall,) = [one for one in result.scene.room.walls if one.normal[1] < -0.9]  # north is the back
+    x, y = wall.start
+    away = (desk.x - x) * wall.normal[0] + (desk.y - y) * wall.normal[1]
+    assert result.report.ok
+    assert 0.8 < away < 2.1
+    assert desk.forward[1] == pytest.approx(-1.0, abs=0.1)

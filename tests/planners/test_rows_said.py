@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 
 import pytest
-from said_rooms import at_sides, made, of
 from shapely import Point, Polygon
+from tests.planners.said_rooms import at_sides, made, of
 
 from robolayout.planners.sentence import scene_from_sentence
 from robolayout.run.result import Result

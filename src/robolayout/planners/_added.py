@@ -53,6 +53,9 @@ class Added:
         said = wishes.reading.parsed.links
         links = [link for link in said if link.relation in ("on", "above")]
         laid = {mention.thing.noun.kind for link in links for mention in link.subjects}
+        below = [link for link in said if link.relation == "under" and any(one.laid for one in link.subjects)]
+        # a soundbar under a TV on the wall stands on what the TV has
+        laid -= {to.thing.noun.kind for link in below for to in mentions(link.objects)}
         borne = {kind for kind in laid if "floor" not in wishes.kinds[kind].places}
         unwanted = wishes.reading.unwanted
         alone = (*borne, *(unwanted & wishes.kinds.keys()))  # their bearer is said, or nobody wants them

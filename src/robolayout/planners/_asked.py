@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from robolayout.constraints import AssetRef, PointRef, Relation
@@ -50,6 +50,7 @@ BEHIND = ("behind({a}, {b}, {gap}, {most})", "align_with({a}, {b})")
 PARTING = ("left_of({a}, {b}, {gap}, {most})", "align_with({a}, {b}, 90)")
 """What is said of a thing at the left of another, behind it, and at its left to part it from the next one."""
 
+PILED = replace(ON_ANY, say=(*ON_ANY.say, "centered_on({a}, {b})", "align_with({a}, {b})"))  # straight on each other
 AROUND = Join("around", (), gap=GAPS.seated, all=("around({items}, {b}, gap={gap})",))  # how seats stand around a thing
 IN_THE_LIGHT = -3.0  # weight of the wish of what something hangs above to stand at a window
 
@@ -126,8 +127,22 @@ def join_as_asked(cast: Mapping[str, Cast], demands: Sequence[Demand], passage: 
         if found[name].join.slot == "around" and found[name].anchor in laid:
             found[name] = elsewhere(name, found, laid)  # that table has its own seats
     found |= {name: found[name].alone for name in (*ringed(found, demands), *crowd)}
+    found |= dict(_off_piles(found, wanted, demands))
     found |= {name: one for name, one in _at_their_places(found, demands) if name not in wanted}
     return found | dict(_off_the_wall(found, demands))
+
+
+def _off_piles(
+    cast: Mapping[str, Cast], wanted: Collection[str], demands: Sequence[Demand]
+) -> Iterator[tuple[str, Cast]]:
+    """Yield what usually stands on things of a pile on which the next of it stands: elsewhere, or on its top."""
+    tops = (one.asset_names() for one in said(demands) if one.name == "on_top_of")
+    piled = {b: a for a, b in tops if cast[a].category is cast[b].category}
+    for name in [name for name in cast if name not in wanted and cast[name].anchor in piled]:
+        moved, top = elsewhere(name, cast, piled.keys()), cast[name].anchor
+        while top in piled:
+            top = piled[top]
+        yield name, moved if moved.anchor or moved.asset.on_floor else replace(cast[name], anchor=top)
 
 
 def _before_what_they_face(
@@ -266,7 +281,8 @@ def _side_by_side(three: Sequence[Cast], passage: float) -> Iterator[tuple[str, 
 def _join(relation: Relation, a: Cast, b: Cast, asked: Mapping[str, Relation], passage: float) -> Join | None:
     """Return how a thing joins another of which so much is asked together, None where it is placed by itself."""
     if relation.name == "on_top_of":
-        return next((join for join in a.role.joins if join.on_top), ON_ANY)
+        own = next((join for join in a.role.joins if join.on_top), ON_ANY)
+        return PILED if a.category is b.category else own
     if not a.asset.on_floor and (a.asset.on_object or a.asset.on_wall):
         return None
     known = next((join for join in a.role.joins if b.role.name in join.of), None)

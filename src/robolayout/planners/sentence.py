@@ -25,7 +25,7 @@ from robolayout.planners._openings import with_openings
 from robolayout.planners._room_size import SIZES, possible, room_size
 from robolayout.planners._wishes import LOW, RoomWishes, Size, head, read_wishes
 from robolayout.scene import DEFAULT_AGENT, Agent, Room, Scene, load_agent, scene_from_dict, variable_name
-from robolayout.words import COUNTERS, SHAPES, dressing, named, visits
+from robolayout.words import COUNTERS, SHAPES, dressing, named, place_in, visits
 
 LOUNGE = {*DATA["nouns"]["lounge"]}
 ON_A_SOFA, AT_ONE_SOFA = 3, 5
@@ -135,9 +135,11 @@ def _in_a_corridor(body: Agent, wide: float) -> Agent:
 def _emptied(scene: Scene, wishes: RoomWishes) -> Scene:
     """Return a scene in which that on which words put something has nothing drawn on it that is in the way."""
     laid: dict[str, list[Size]] = {}
-    for link in (link for link in wishes.reading.parsed.links if link.relation in ("on", "in", "with")):
-        kinds = [kind for one in link.subjects if (kind := wishes.kinds[wishes.kind(one.thing)]).on_object]
-        for bearer in named(link.objects):
+    for link in (link for link in wishes.reading.parsed.links if link.relation in ("on", "in", "with", "stacked")):
+        piled = link.relation == "stacked"  # each bears the next
+        kinds = [wishes.kinds[wishes.kind(one.thing)] for one in link.subjects]
+        kinds = [kind for kind in kinds if piled or kind.on_object]
+        for bearer in named(link.subjects if piled else link.objects):
             laid.setdefault(wishes.kinds[wishes.kind(bearer)].name, []).extend(kind.size for kind in kinds)
     return replace(scene, assets=tuple(emptied(one, laid.get(one.category, ())) for one in scene.assets))
 
@@ -313,6 +315,7 @@ def _assets(
 ) -> dict[str, object]:
     """Return the asset list: sizes and looks as said, or within 6 % of typical ones; what is added of a kind is like the first of it."""
     assets: dict[str, object] = {}
+    hung = {t for k in wishes.reading.parsed.links if place_in(k.objects, "ceiling") for t in named(k.subjects)}
     for kind, count in ((wishes.kinds[name], count) for name, count in both(found.wished, found.added).items()):
         mesh = meshes.get(kind.name if kind.name in wishes.lexicon.kinds else kind.like, {})
         scale, told = 1.0 + 0.06 * float(rng.uniform(-1, 1)), wishes.told(kind.name)
@@ -324,7 +327,10 @@ def _assets(
                 d, w, h = measure.on((d, w, h))
             size = (d, w, min(h, round(found.height - SPARE, 3)))
             look = ", ".join((style, *(thing.look if thing is not None else ())))
-            assets[f"{variable_name(kind.name)}-{index}"] = {**mesh, **asset_entry(kind, size), "look": look}
+            entry = {**mesh, **asset_entry(kind, size), "look": look}
+            if kind.on_ceiling and thing in hung:  # it stands on nothing
+                entry |= {"onCeiling": True, "onObject": False, "onWall": False, "onFloor": False}
+            assets[f"{variable_name(kind.name)}-{index}"] = entry
     return assets
 
 

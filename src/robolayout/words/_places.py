@@ -302,6 +302,9 @@ class AtPlaces:
 
     def _ways_at_a_wall(self, a: str, place: Place, *, on: bool) -> Iterator[Way]:
         """Yield the ways in which a thing is at one of the walls that are meant and long enough, or in the middle of one."""
+        if self._is(a, ("reception desk",)):  # with room for who sits behind it
+            yield from self._ways_before_a_wall(a, place)
+            return
         middle = "middle" in place.words
         hangs = self._held(a, on and not middle)
         walls = [wall for wall in walls_meant(self.room, place) if self._asset(a).size[1] <= wall.length]
@@ -311,6 +314,12 @@ class AtPlaces:
         for wall in (WallRef(wall.index) for wall in walls):
             at = stated(hangs, AssetRef(a), wall)
             yield (at, stated("centered_on", AssetRef(a), wall)) if middle else (at,)
+
+    def _ways_before_a_wall(self, a: str, place: Place) -> Iterator[Way]:
+        """Yield the ways in which a thing has its back to a wall, with room for a seat between."""
+        ref, most = AssetRef(a), round(self._asset(a).size[0] / 2 + ways_of.SEAT_BEHIND, 2)
+        for wall in (WallRef(wall.index) for wall in walls_meant(self.room, place)):
+            yield (stated("distance_constraint", ref, wall, None, most), stated("align_with", ref, wall, 90.0))
 
     def _ways_flanking(self, subjects: Sequence[str], place: Place) -> Iterator[Way]:
         """Yield the ways in which things are at both sides of a door or window, in turn."""

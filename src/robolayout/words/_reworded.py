@@ -48,6 +48,10 @@ _SAID = {
     r"(?:humanoid(?: robot)? \( )?unitree g 1(?: \))?": "humanoid robot",
     r"(room|dorm|dormitory|hall|hallway|corridor|cabin|pantry|office|closet|cellar|shop|store|warehouse|library|garage|lab|ward|barracks) "
     r"with (FEW) on one side and (FEW) on the other(?: side)?END": "{1} with {2} along one wall and {3} along the opposite wall",
+    "under (?:the|a) (?:slop(?:ed|ing)|slant(?:ed|ing)|pitched) (?:ceiling|roof|wall)": "( unreadable )",
+    "(in an? (?:u|horseshoe)(?: shape)?) ,(?: and)? ((?:the|a) FEW) (?:in|at) the opening(?: of the (?:u|horseshoe))?": "{1} facing {2}",
+    "at (?:its|the) (left|right) end(?! of)": "to the {1} of it",
+    "at (?:the|its) (left|right) end of": "to the {1} of",
     "speakers on (?:floor |tall )?stands": "speakers",
     "(?:a|the) dance floor in the (?:middle|center|centre)(?: of the (?:room|hall))?": "the middle of the room free",
     "(?:beside|next to|alongside) (THING) on (SIDES)": "on {2} of {1}",

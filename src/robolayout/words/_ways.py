@@ -45,6 +45,9 @@ AHEAD, LOOKING, BACK, BACK_WALL = 1.5, 2.5, 1.2, 2.0
 """Metres from edge to edge that "in front of" allows, in front of what a seat looks at, "behind", and behind what stands free to what
 hangs on the wall."""
 
+SEAT_BEHIND = 1.6
+"""Metres from a wall to a desk between which and the wall somebody sits, at most."""
+
 PAST_A_SEAT = (0.7, 1.6)
 """Metres between a desk and what is behind who sits at it, least and most."""
 
