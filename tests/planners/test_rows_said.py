@@ -47,6 +47,14 @@ def test_beds_of_a_row_leave_room_to_get_into_them() -> None:
         assert apart > 0.65
 
 
+def test_beds_side_by_side_are_as_far_apart_as_is_said() -> None:
+    result = made("a bedroom with two single beds side by side with 80 cm between them")
+    one, two = of(result, "single_bed")
+    apart = abs(result.layout[one].seen(result.layout[two].at)[1]) - result.scene.by_name[one].size[1]
+    assert result.report.ok
+    assert 0.75 < apart < 1.15
+
+
 def test_each_bed_of_a_ward_has_its_curtain() -> None:
     result = made("a ward with eight hospital beds in two rows, each with a curtain")
     assert result.report.ok

@@ -72,6 +72,7 @@ def test_what_is_said_of_where_bodies_get(text: str, said: list[tuple[str, list[
         ("I use a wheelchair, so leave at least 120 cm beside the bed.", 1.2),
         ("There must be a turning circle of 1.4 m in front of the toilet.", 1.4),
         ("A wheelchair user can turn in front of the sink.", 1.5),
+        ("A room with a 1.5 m turning space at the foot of each bed.", 1.5),
         ("A living room with room to walk around the table.", 0.0),  # as much as the body needs
     ],
 )
@@ -92,6 +93,7 @@ def test_how_much_floor_is_to_stay_free(text: str, metres: float) -> None:
         ("Aisles between the desks must be at least 1.2 m wide.", [], 1.2),
         ("leaving 90 cm to walk", [], 0.9),
         ("The main corridor must be 1.5 m wide.", [], 1.5),
+        ("walkways at least 90 cm wide for wheelchair users", [], 0.9),
     ],
 )
 def test_how_wide_ways_are(text: str, things: list[str], metres: float) -> None:
@@ -113,6 +115,7 @@ def test_aisles_of_rows_are_between_the_rows() -> None:
         ("a 1.4 m turning circle", 1.4, ""),
         ("a turning circle of at least 1.4 m", 1.4, ""),
         ("a turning circle", 1.5, ""),
+        ("a sink and a turning circle of 1.5 m", 1.5, ""),
         ("a 150 cm turning space near the door", 1.5, "door"),
         ("a turning circle of 160 cm in the middle of the room", 1.6, "middle"),
     ],

@@ -84,6 +84,10 @@ def _blocks(wishes: RoomWishes) -> Iterator[tuple[float, float]]:
             own = named(line)  # and what is between them
             amid = {m for k in links if k.relation == "amid" and own & named(k.objects) for m in k.subjects}
             parted = sum(m.count * (min(wishes.kinds[wishes.kind(m.thing)].size[:2]) + SIZES.parted) for m in amid)
+            told_gaps = (
+                k.metres[0] for k in links if k.relation == "apart" and not k.objects and named(k.subjects) == own
+            )
+            parted += max(told_gaps, default=0.0) * (sum(count for count, *_ in sizes) - 1)
             wide = sum(count * width for count, _, width, _ in sizes) + parted + SIZES.around
             tall = max(height for *_, height in sizes) > SIZES.low
             yield wide, wide if tall else 0.0  # tall things need a wall without a window

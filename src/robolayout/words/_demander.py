@@ -343,7 +343,7 @@ class Demander(AtSides):
             relation = "abreast apart"
         elif relation == "abreast" and not same:
             relation = "together"
-        ways, middle = ways_of.IN_A_CHAIN[relation], len(it.subjects) // 2
+        ways, middle = self.told.chained(relation, it.subjects[0]), len(it.subjects) // 2
         chains = (it.subjects[middle::-1], it.subjects[middle:]) if relation == "abreast" else (it.subjects,)
         yield from (by_ways(ways, b, a) for chain in chains for a, b in pairwise(chain))
 

@@ -13,7 +13,20 @@ from robolayout.constraints.in_shape import InShape
 from robolayout.scene import Room, Scene
 from robolayout.words import _function_words as small
 from robolayout.words._said import Link
-from robolayout.words._ways import ACROSS, AISLE, BACK, BESIDE, BETWEEN_BEDS, CROWD, NEAR, looks_over, rows_of
+from robolayout.words._ways import (
+    ACROSS,
+    AISLE,
+    BACK,
+    BESIDE,
+    BETWEEN_BEDS,
+    CROWD,
+    IN_A_CHAIN,
+    MORE,
+    NEAR,
+    Ways,
+    looks_over,
+    rows_of,
+)
 from robolayout.words.demands import Demand, single, stated
 
 WIDER = 1.5
@@ -100,6 +113,13 @@ class ToldRows:
     def in_rows(self, names: Sequence[str]) -> bool:
         """Return whether all of some things stand in straight rows, or in a shape."""
         return {*names} <= {*self.abreast}
+
+    def chained(self, relation: str, name: str) -> Ways:
+        """Return what each of several is asked to be to the one before it: so many metres beside it, where that is said."""
+        apart = self.aisle.get(name, 0.0)
+        if apart and relation == "abreast":
+            return ((("next_to", "beside", round(apart + MORE, 2), apart), ("align_with",)),)
+        return IN_A_CHAIN[relation]
 
     def groups(self, names: Sequence[str]) -> list[Sequence[str]]:
         """Return things as the groups in which they stand."""

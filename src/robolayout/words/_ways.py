@@ -127,6 +127,9 @@ TO_ANOTHER: Mapping[str, Ways] = {
 AT_PLACES = frozenset((*TO_ANOTHER, "oneside", "on", "in", "flank", "under", "above", "behind", "hanging"))
 """Relations that lead to a place of the room as well as to things."""
 
+MORE = 0.3
+"""Metres that may lie between two things beyond what is said."""
+
 FAR_APART = 20.0
 """Metres that "at least" leaves open."""
 
