@@ -160,14 +160,9 @@ class Relating(About):
             return
         every = self._ahead(-2).value in small.EVERY
         subjects = self._subjects(chunk.value)
-        if (
-            chunk.adjectives[-2:] == ("reach", "of")
-            and chunk.value == "near"
-            and self._ahead().kind in ("body", "people")
-        ):
-            self.said.links.append(
-                Link("way", (), tuple(subjects), chunk.start, chunk.end)
-            )  # "within reach of a child"
+        in_reach = chunk.value == "near" and chunk.adjectives[-2:] == ("reach", "of")
+        if in_reach and self._ahead().kind in ("body", "people"):  # "within reach of a child"
+            self.said.links.append(Link("way", (), tuple(subjects), chunk.start, chunk.end))
             return
         if chunk.value == "holds":
             subjects = self._holders(subjects, every=every)

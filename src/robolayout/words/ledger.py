@@ -307,9 +307,8 @@ class _RowMaker:
         to = " and ".join(as_row.shown(item) for item in link.objects)
         things = tuple(name for item in mentions(link.objects) for name in self.names.get(item.thing, ()))
         if link.metres[1] and not link.objects:
-            things = tuple(
-                one.name for one in self.scene.assets if one.on_floor and not (one.is_flat or one.lies_about)
-            )
+            on_floor = (one for one in self.scene.assets if one.on_floor)
+            things = tuple(one.name for one in on_floor if not (one.is_flat or one.lies_about))
         room = self.scene.room
         there = (place_in([item], "door", "window") for item in link.objects)
         places = [openings(room, place.name) for place in there if place is not None]
@@ -341,6 +340,8 @@ class _RowMaker:
         """Return the row of what a body gets under: its middle does."""
         things = tuple(name for item in mentions(link.objects) for name in self.names.get(item.thing, ()))
         said = f"{words} {' and '.join(as_row.shown(item) for item in link.objects)}"
+        if not things:
+            return as_row.unread(said, "under no thing")
 
         def judge(room: Furnished) -> Finding:
             if room.walked is None:
@@ -349,11 +350,7 @@ class _RowMaker:
             least = min(room.walked.intersection(foot).area for foot in feet)
             return met(least > as_row.UNDER, f"its middle gets under {least:.2f} m2 of it")
 
-        return (
-            Unjudged(said, "way", "the body gets under it", judge, things)
-            if things
-            else as_row.unread(said, "under no thing")
-        )
+        return Unjudged(said, "way", "the body gets under it", judge, things)
 
     def _nothing_else(self, room: Furnished) -> Finding:
         """Judge that nothing is there but what was named."""
