@@ -123,3 +123,26 @@ def test_an_altar_bears_candles_and_a_flag_stands_on_the_floor() -> None:
     assert [asset.on_wall for asset in bedroom.assets if "flag" in asset.category or "tapestry" in asset.category] == [
         True
     ]
+
+
+@pytest.mark.parametrize(
+    ("text", "kind", "count"),
+    [
+        ("a laboratory with three lab benches in parallel", "lab_bench", 3),
+        ("a laboratory with three parallel lab benches", "lab_bench", 3),
+        ("a lab with six lab benches arranged in parallel to each other and a fume hood in the corner", "lab_bench", 6),
+    ],
+)
+def test_what_stands_in_parallel_is_beside_its_like_and_not_end_to_end(text: str, kind: str, count: int) -> None:
+    result = made(text)
+    benches = of(result, kind)
+    assert result.report.ok
+    assert len(benches) == count
+    first = result.layout[benches[0]]
+    assert all(math.cos(result.layout[name].yaw - first.yaw) > 0.999 for name in benches)
+    lines = {round(first.seen(result.layout[name].at)[0], 1) for name in benches}
+    assert len(lines) == 3
+
+
+def test_two_parallel_rows_are_two_rows() -> None:
+    assert len(of(made("an office with two parallel rows of four desks"), "desk")) == 8

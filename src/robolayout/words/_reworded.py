@@ -34,6 +34,7 @@ _PARTS = {
     "WHO": r"for (?:a|the|my|his|her|their) (?:\w+ )?\w+",
     "WORDS": r"(?:\w+ ){0,2}?\w+(?: (?:straight|directly))?",
     "MUSTS": rf"(?:(?:that|which) )?(?:is|are|being|stays?|remains?|{_MUST} (?:all )?be)",
+    "MANY": r"(?:[3-9]|1\d|three|four|five|six|seven|eight|nine|ten|twelve)",
     "FEW": r"(?:\w+ ){0,2}\w+",
     "END": r"(?= (?:[.,;:!?\n]|and|so)(?: |$)|$)",
 }  # fmt: skip
@@ -104,6 +105,9 @@ _SAID = {
     r"(?:turned|rotated|angled|tilted|swivelled)(?: by)?(?: \d+ degrees?)? (?:towards?|to face)": "facing",
     "at one end and ((?:a |an |the )?WORDS) at the (?:other|other end|opposite end)": "on the left and {1} on the right",
     "(in an? (?:u|horseshoe|semicircle|half circle)(?: shape| formation)?) open(?:ing)?(?: up)? (?:to|towards?)": "{1} facing",
+    "parallel(?= (?:rows|lines|columns) of )": "",
+    "(MANY FEW) in parallel(?! (?:to|with) (?!each|one))(?: (?:to|with) (?:each other|one another))?": "{1} in rows",
+    "(MANY) parallel (FEW)END": "{1} {2} in rows",
     r"(; (?:a way|way under|\S+ path) [^.;]*?) and to(?= ONE )": "{1} and",
     r"(; (?:a way|way under|\S+ path) [^.;,]*?) ,(?= ONE (?:[^.;,]+ , ONE )*[^.;,]+ and ONE )": "{1} and",
 }
