@@ -291,3 +291,10 @@ def test_a_list_without_an_end_is_read_in_no_time() -> None:
     assert reworded(tokens("; a way to the bed" + " , the bed" * 500)) == tokens(
         "; a way to the bed" + " , the bed" * 500
     )
+
+
+def test_ways_are_as_wide_as_is_told_for_a_body_that_is_named_besides() -> None:
+    text = "A bedroom with a double bed and a desk. Leave a path 1.2 m wide from the door to the desk."
+    scene = rl.generate(text, agent="wheelchair").scene
+    assert [agent.name for agent in scene.agents] == ["wheelchair"]
+    assert scene.agents[0].radius == pytest.approx(0.6)

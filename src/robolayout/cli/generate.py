@@ -212,7 +212,7 @@ def _furnished(asked: Call, planner: Planner, variant: int) -> tuple[Scene, Unde
     """Return the scene of a sentence, and what was understood: by the model that plans, else by rules."""
     from robolayout.run.given import furnished
 
-    scene, understood = furnished(
+    return furnished(
         asked.scene,
         planner,
         seed=asked.seed,
@@ -221,7 +221,6 @@ def _furnished(asked: Call, planner: Planner, variant: int) -> tuple[Scene, Unde
         knowledge=asked.knowledge or (),
         assets=asked.asset_dir,
     )
-    return asked.of(scene), understood
 
 
 def _laid_out(asked: Call, room: Scene, planner: Planner, seed: int) -> Result:

@@ -106,7 +106,7 @@ def draw(ready: Ready, index: int, attempt: int = 0, meshes: Path | None = None)
     scene = source.scene or _from_words(source, ready.spec, rng, seed, style, bodies)
     if ready.own and meshes is not None:
         scene = _with_own(scene, ready.own, rng, meshes)
-    scene = scene.with_agents(*bodies) if bodies else scene
+    scene = scene.with_agents(*bodies) if bodies and source.scene else scene
     scene = replace(scene, dress=dress) if dress else scene
     facts = {
         "source": source.text, "style": style, "dress": scene.dress, "solver": solver, "reach": reach, "seed": seed,

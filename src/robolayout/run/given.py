@@ -52,14 +52,15 @@ def as_scene(
     """Return a scene from itself, its dictionary, its file or words, for another agent or otherwise dressed if that is said."""
     whole(seed, "seed")
     bodies = () if agent is None else load_agents(agent)
-    if isinstance(given, str) and not names_a_file(given):
+    worded = isinstance(given, str) and not names_a_file(given)
+    if isinstance(given, str) and worded:
         scene, _ = furnished(given, planner, seed=seed, agents=bodies)
     elif isinstance(given, str | Path):
         scene = load_scene(given)
     else:
         scene = checked(given) if isinstance(given, Scene) else scene_from_dict(given)
     scene = scene if dress is None else replace(scene, dress=check_dress(dress))
-    return scene.with_agents(*bodies) if bodies else scene
+    return scene.with_agents(*bodies) if bodies and not worded else scene
 
 
 def checked(scene: Scene) -> Scene:
@@ -81,7 +82,8 @@ def furnished(
 ) -> tuple[Scene, Understanding]:
     """Return the scene of words, and what was understood: by the planner where it is a model, else by rules."""
     if isinstance(planner, RoomPlanner):
-        return planner.furnish(text, assets=assets)
+        scene, understood = planner.furnish(text, assets=assets)
+        return scene.with_agents(*agents) if agents else scene, understood
     return scene_from_sentence(text, seed=seed, variant=variant, knowledge=knowledge, agents=agents, assets=assets)
 
 

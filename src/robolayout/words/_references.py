@@ -340,15 +340,12 @@ class References(Spoken):
         several = not {"line", "lines", "lined", "lining"}.isdisjoint(chunk.adjectives)  # not "along the walls"
         walls = next((to.number or 2 * (to.plural and several) for to in lined if to.det != "all"), 0)
         walls = next((self._number_of(to) for to in lined if to.det == "all"), walls)
+        apart = [m for m in mentions(objects) if m.count > 2] if chunk.value == "amid" else []
         for thing in (mention.thing for mention in subjects):
             if walls and thing.plural and thing.number is None:
                 at_each = 2 if several or chunk.value == "wall" or thing.head in small.SEATS else 1
                 thing.number = walls * at_each  # "bookshelves line two walls"
-            elif (
-                chunk.value == "amid"
-                and thing.parts_uncounted
-                and (apart := [m for m in mentions(objects) if m.count > 2])
-            ):
+            elif apart and thing.parts_uncounted:
                 thing.number = self._gaps(apart[0])  # "partitions between the desks"
         for mention in subjects if chunk.value == "rows" else ():
             mention.thing.rows = mention.thing.rows or chunk.rows  # "clothing racks in three rows"

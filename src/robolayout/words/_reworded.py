@@ -145,15 +145,10 @@ def _put(said: Sequence[str], words: Sequence[Token], spans: Sequence[slice], *,
     for i, word in enumerate(said):
         if word.startswith("{"):
             group = words[spans[int(word[1])]]
-            told = (
-                measures(" ".join(one.text for one in group)) if figures and group[0].text not in ("the", "a") else []
-            )
-            if told:
-                group = [
-                    replace(
-                        group[0], end=group[-1].end, measure=replace(told[0], start=group[0].start, end=group[-1].end)
-                    )
-                ]
+            figured = figures and group[0].text not in ("the", "a")
+            if figured and (told := measures(" ".join(one.text for one in group))):  # one token with its measure
+                first, beyond = group[0], group[-1].end
+                group = [replace(first, end=beyond, measure=replace(told[0], start=first.start, end=beyond))]
             yield from group
             at = group[-1].end if figures else at
         else:
