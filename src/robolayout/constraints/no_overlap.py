@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from functools import lru_cache
 from itertools import combinations
@@ -51,6 +52,9 @@ def _meeting(a: Asset, b: Asset, apart: float) -> tuple[tuple[Prism, Prism], ...
 def prisms_meet(one: tuple[Asset, Pose], other: tuple[Asset, Pose], margin: float = 0.0) -> bool:
     """Return whether prisms of two things are less than `margin` metres apart in plan at one height."""
     (a, here), (b, there) = one, other
+    reach = (math.hypot(*a.size[:2]) + math.hypot(*b.size[:2])) / 2  # of their boxes, however they are turned
+    if math.dist((here.x, here.y), (there.x, there.y)) >= reach + margin:
+        return False
     apart = vertical_span(b, there)[0] - vertical_span(a, here)[0]
     return any(_placed(p, here).distance(_placed(q, there)) < margin for p, q in _meeting(a, b, round(apart, 4)))
 
