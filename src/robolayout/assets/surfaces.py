@@ -7,6 +7,7 @@ that and from the parts: "top", "seat", "shelf 1" (the lowest), "drawer 2", so t
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cache, cached_property, lru_cache
@@ -47,9 +48,17 @@ class SurfaceConfig:
     held: float = 0.035  # how far from the end of a hook hangs what it holds
     rim: float = 0.8  # share of its height below which an open surface lies in a thing
     ease: float = 0.005  # metres of height that a thing needs more than its own to be put into a shelf
+    apart: float = 0.02  # metres between things that stand side by side on a shelf
+    deepens: float = 0.35  # metres by which shelves are made deeper at the most for what is to stand on them
+    full: float = 1.5  # share of a top that things take for which it is made larger: some reach over its edge
+    times: float = 3.0  # times its width that such a top has at the most
+    even: float = 1.3  # times its shorter side that the longer one of what is not made wider has at the most
 
 
 SURFACES = SurfaceConfig()
+
+Size = tuple[float, float, float]
+"""Depth, width and height in metres."""
 
 PLAN = [0, 2, 1, 3]  # columns of a span that are its rectangle in plan: least x and y, greatest x and y
 SOFT = ("seat", "cushion", "mattress", "duvet", "quilt", "blanket", "bed")
@@ -96,7 +105,7 @@ class Surface:
         x0, y0, x1, y1 = self.rectangle
         return min(x1 - x0, y1 - y0) >= SURFACES.least_side / 2
 
-    def holds(self, size: tuple[float, float, float]) -> bool:
+    def holds(self, size: Size) -> bool:
         """Return whether a thing of that depth, width and height lies wholly on it, one way round or the other."""
         x0, y0, x1, y1 = self.rectangle
         small, large = sorted(size[:2])
@@ -142,12 +151,14 @@ def _goods() -> Mapping[str, tuple[str, ...]]:
     return {name: tuple(parts) for name, parts in (*rules, *data["goods"].items())}
 
 
-def emptied(asset: Asset, sizes: Sequence[tuple[float, float, float]]) -> Asset:
-    """Return a thing on which things of some sizes are to lie: without what is drawn on it, where that leaves them no room."""
+def emptied(asset: Asset, sizes: Sequence[Size], *, shelves: bool = False) -> Asset:
+    """Return a thing on which, or on whose `shelves`, things of some sizes are to lie: without what is drawn in their way."""
     goods = _goods().get(category_of(asset).name, ())
     if not goods or not sizes:
         return asset
     bare = replace(asset, without=(*asset.without, *goods))
+    if shelves and open_shelves(bare):
+        return bare
     firm = {round(surface.height, 3) for surface in outer_surfaces(bare)}
     free = [surface for surface in outer_surfaces(asset) if round(surface.height, 3) in firm]  # no top of what is drawn
     return asset if all(any(surface.holds(size) for surface in free) for size in sizes) else bare
@@ -159,6 +170,41 @@ def inner_surfaces(asset: Asset) -> tuple[Surface, ...]:
     inside = [s for s in every if s.covered]
     shelves = [s for s in inside if not s.name.startswith("drawer")]
     return tuple(shelves or inside or [s for s in every if s.height < SURFACES.rim * asset.size[2]])
+
+
+def open_shelves(asset: Asset) -> tuple[Surface, ...]:
+    """Return the shelves of a thing that nothing has to be opened for."""
+    from robolayout.assets.joints import sweeps_of
+
+    if any(surface.is_seat for surface in surfaces_of(asset)) or any(one.joint is not None for one in sweeps_of(asset)):
+        return ()
+    return tuple(surface for surface in inner_surfaces(asset) if surface.name.startswith("shelf"))
+
+
+def bearing(asset: Asset, sizes: Sequence[Size], *, shelves: bool) -> Size:
+    """Return the size of a thing with `shelves` as deep, or a top as wide, as it takes for things of some sizes to stand there.
+
+    Seats, what is about as deep as wide and what would have to be far wider stay as they are.
+    """
+    (depth, width, height), tops = asset.size, outer_surfaces(asset)
+    x0, y0, x1, y1 = max(open_shelves(asset) * shelves or tops, key=lambda surface: surface.region.area).rectangle
+    if shelves and open_shelves(asset) and max(wide for _, wide, _ in sizes) <= y1 - y0:
+        lacks = max(deep for deep, *_ in sizes) + SURFACES.apart - (x1 - x0)
+        return (round(depth + lacks, 3), width, height) if 0.0 < lacks <= SURFACES.deepens else asset.size
+    x0, y0, x1, y1 = max(tops, key=lambda surface: surface.region.area).rectangle
+    sides = [sorted(side + SURFACES.apart for side in size[:2]) for size in sizes]
+    taken = sum(map(math.prod, sides)) / ((x1 - x0) * (y1 - y0))
+    times = sum(long / max(int((x1 - x0) / short), 1) for short, long in sides) / (y1 - y0)
+    crowded = taken > SURFACES.full and width > SURFACES.even * depth and not tops[0].is_seat
+    return (depth, round(width * times, 3), height) if crowded and 1.0 < times <= SURFACES.times else asset.size
+
+
+def slots(surface: Surface, size: Size) -> int:
+    """Return how many things of a size stand straight on a surface, side by side and behind each other."""
+    x0, y0, x1, y1 = surface.rectangle
+    sides = zip((x1 - x0, y1 - y0), size, strict=False)
+    deep, wide = (int((side + SURFACES.apart) / (own + SURFACES.apart)) for side, own in sides)
+    return deep * wide * surface.holds(size)
 
 
 def named_surfaces(asset: Asset, name: str) -> tuple[Surface, ...]:

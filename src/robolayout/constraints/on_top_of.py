@@ -14,6 +14,9 @@ from robolayout.constraints._refs import AssetRef
 from robolayout.constraints._relation import FrameTerm, Interval, Outcome, Relation, Term, argument
 from robolayout.scene import Asset, Layout, Scene, vertical_span
 
+AT_HAND = 1.0
+"""Metres above the floor at which things are taken from a shelf most easily."""
+
 
 @dataclass(frozen=True)
 class OnTopOf(Relation):
@@ -38,13 +41,27 @@ class OnTopOf(Relation):
         """Return the surfaces that are meant where none is named."""
         return outer_surfaces(lower)
 
-    def place(self, scene: Scene) -> Surface:
-        """Return the surface of b on which a is put."""
-        return resting_place(scene.by_name[self.b.name], scene.by_name[self.a.name], self.meant(scene))
+    def places(self, scene: Scene) -> tuple[Surface, ...]:
+        """Return the surfaces of b on which a is put, the best first: of several shelves that hold it the one nearest to a hand."""
+        lower, upper, meant = scene.by_name[self.b.name], scene.by_name[self.a.name], self.meant(scene)
+        shelves = [surface for surface in meant if surface.covered and surface.holds(upper.size)]
+        at_hand = sorted(shelves, key=lambda surface: abs(surface.height - AT_HAND))
+        return tuple(at_hand) or (resting_place(lower, upper, meant),)
+
+    def place(self, scene: Scene, near: Layout) -> Surface:
+        """Return the surface of b on which a is: the one that it is on in a layout, else the best."""
+        lower, upper, meant = scene.by_name[self.b.name], scene.by_name[self.a.name], self.meant(scene)
+        if len(meant) > 1:
+            bottom = vertical_span(upper, near[upper.name])[0] - vertical_span(lower, near[lower.name])[0]
+            level = [s for s in meant if abs(s.height - bottom) <= TOLERANCE.support and s.holds(upper.size)]
+            if level:
+                centre = Point(frame(scene, near, self.b).seen(near[upper.name].at))
+                return min(level, key=lambda surface: surface.region.distance(centre))
+        return self.places(scene)[0]
 
     def terms(self, scene: Scene, near: Layout) -> tuple[Term, ...]:
         """Return one row: a's footprint inside the largest rectangle of its place (its centre, where a is the larger one)."""
-        x0, y0, x1, y1 = self.place(scene).rectangle
+        x0, y0, x1, y1 = self.place(scene, near).rectangle
         size = scene.by_name[self.a.name].size
         inside = float(all(np.less_equal(np.sort(size[:2]), np.sort([x1 - x0, y1 - y0]))))
         along, across = Interval(x0, x1, inside, inside), Interval(y0, y1, inside, inside)
@@ -58,7 +75,7 @@ class OnTopOf(Relation):
         upper = scene.by_name[self.a.name]
         found = [
             (s.region.distance(centre) > 1e-6, abs(bottom - low - s.height), s.name)
-            for s in (*(hung_from(s, upper) for s in self.meant(scene)), self.place(scene))
+            for s in (*(hung_from(s, upper) for s in self.meant(scene)), *self.places(scene)[:1])
         ]
         beside, gap, name = min(found)
         text = f"bottom {gap:.3f} m from the {name} of {self.b}" + (", centre not over it" if beside else "")

@@ -15,6 +15,7 @@ from robolayout.constraints.distance_constraint import DistanceConstraint
 from robolayout.constraints.in_front_of import InFrontOf
 from robolayout.constraints.near import Near
 from robolayout.constraints.next_to import NextTo
+from robolayout.constraints.on_top_of import OnTopOf
 from robolayout.planners._knowledge import ON_ANY, Join, usual_say
 from robolayout.planners._roles import Cast, chain, elsewhere
 from robolayout.planners._said import amidst_the_room, audience, hung_over, looked_at, ringed, said, subjects
@@ -136,7 +137,7 @@ def _off_piles(
     cast: Mapping[str, Cast], wanted: Collection[str], demands: Sequence[Demand]
 ) -> Iterator[tuple[str, Cast]]:
     """Yield what usually stands on things of a pile on which the next of it stands: elsewhere, or on its top."""
-    tops = (one.asset_names() for one in said(demands) if one.name == "on_top_of")
+    tops = (one.asset_names() for one in said(demands) if isinstance(one, OnTopOf))
     piled = {b: a for a, b in tops if cast[a].category is cast[b].category}
     for name in [name for name in cast if name not in wanted and cast[name].anchor in piled]:
         moved, top = elsewhere(name, cast, piled.keys()), cast[name].anchor
@@ -208,7 +209,7 @@ def _joins(demand: Demand, cast: Mapping[str, Cast], passage: float) -> Iterator
         if len(names) != 2:
             continue
         a, b = (cast[name] for name in names)
-        while b.join.on_top and relation.name != "on_top_of":
+        while b.join.on_top and not isinstance(relation, OnTopOf):
             b = cast[b.anchor]  # who sits before a screen sits before its stand
         asked = {one.name: one for one in demand.ways[0] if one.asset_names()[:1] == names[:1]}
         join = _at_one_side(relation, asked) or _join(relation, a, b, asked, passage)
@@ -280,8 +281,9 @@ def _side_by_side(three: Sequence[Cast], passage: float) -> Iterator[tuple[str, 
 
 def _join(relation: Relation, a: Cast, b: Cast, asked: Mapping[str, Relation], passage: float) -> Join | None:
     """Return how a thing joins another of which so much is asked together, None where it is placed by itself."""
-    if relation.name == "on_top_of":
+    if isinstance(relation, OnTopOf):
         own = next((join for join in a.role.joins if join.on_top), ON_ANY)
+        own = own if relation.name == "on_top_of" else replace(own, say=(f"{relation.name}({{a}}, {{b}})",))
         return PILED if a.category is b.category else own
     if not a.asset.on_floor and (a.asset.on_object or a.asset.on_wall):
         return None

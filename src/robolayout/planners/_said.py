@@ -10,6 +10,7 @@ from robolayout.constraints.distance_constraint import DistanceConstraint
 from robolayout.constraints.in_rows import InRows
 from robolayout.constraints.in_shape import InShape, circle_across
 from robolayout.constraints.keep_clear import KeepClear
+from robolayout.constraints.on_top_of import OnTopOf
 from robolayout.constraints.under import Under
 from robolayout.planners._roles import Cast
 from robolayout.scene import Scene
@@ -128,7 +129,7 @@ def open_beside(demands: Iterable[Demand]) -> dict[str, str]:
 def hung_over(scene: Scene, demands: Iterable[Demand]) -> dict[str, str]:
     """Return what stands on the floor below what is asked to hang above it, or above what it bears, on a wall, with the first of that."""
     found = dict[str, str]()
-    on = (one.asset_names() for one in said(demands) if one.name == "on_top_of")
+    on = (one.asset_names() for one in said(demands) if isinstance(one, OnTopOf))
     bearers = {thing: bearer for thing, bearer in on}
     for high, over in (one.asset_names() for one in said(demands) if one.name == "above"):
         low = bearers.get(over, over)

@@ -10,6 +10,7 @@ import math
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from itertools import product
 from pathlib import Path
 
 import numpy as np
@@ -18,14 +19,14 @@ from robolayout._reading import whole
 from robolayout.assets import CATALOGUE, Category, own_assets, own_kinds
 from robolayout.assets.catalogue import Entry
 from robolayout.assets.palette import PALETTES
-from robolayout.assets.surfaces import emptied
+from robolayout.assets.surfaces import bearing, emptied
 from robolayout.planners._added import COMFORT, LARGER, SEATS, SPARE, Added, both
 from robolayout.planners._knowledge import DATA, load_knowledge
 from robolayout.planners._openings import with_openings
 from robolayout.planners._room_size import SIZES, possible, room_size
 from robolayout.planners._wishes import LOW, RoomWishes, Size, head, read_wishes
-from robolayout.scene import DEFAULT_AGENT, Agent, Room, Scene, load_agent, scene_from_dict, variable_name
-from robolayout.words import COUNTERS, SHAPES, dressing, named, place_in, visits
+from robolayout.scene import DEFAULT_AGENT, Agent, Asset, Room, Scene, load_agent, scene_from_dict, variable_name
+from robolayout.words import COUNTERS, SHAPES, dressing, mentions, named, place_in, visits
 
 LOUNGE = {*DATA["nouns"]["lounge"]}
 ON_A_SOFA, AT_ONE_SOFA = 3, 5
@@ -117,7 +118,7 @@ def scene_from_sentence(
     entries = {name: entry for name, (_, entry) in meshes.items() if name in wishes.meshes}
     scene = scene_from_dict(_scene(found, wishes, rng, entries, bodies, varied=variant > 0), asset_dir=assets)
     scene = scene.with_agents(*bodies) if bodies else scene
-    return _emptied(scene, wishes), found
+    return _bearing(scene, wishes), found
 
 
 def _widened(bodies: Sequence[Agent], way: float) -> Sequence[Agent]:
@@ -132,16 +133,30 @@ def _in_a_corridor(body: Agent, wide: float) -> Agent:
     return replace(body, radius=body.radius + further, reach_distance=reach) if further else body
 
 
-def _emptied(scene: Scene, wishes: RoomWishes) -> Scene:
-    """Return a scene in which that on which words put something has nothing drawn on it that is in the way."""
+def _bearing(scene: Scene, wishes: RoomWishes) -> Scene:
+    """Return a scene in which that on which words put something has room for it: nothing drawn in its way, and wide enough."""
     laid: dict[str, list[Size]] = {}
+    shelves = Counter[str]()  # of how many of a kind
     for link in (link for link in wishes.reading.parsed.links if link.relation in ("on", "in", "with", "stacked")):
         piled = link.relation == "stacked"  # each bears the next
-        kinds = [wishes.kinds[wishes.kind(one.thing)] for one in link.subjects]
-        kinds = [kind for kind in kinds if piled or kind.on_object]
-        for bearer in named(link.subjects if piled else link.objects):
-            laid.setdefault(wishes.kinds[wishes.kind(bearer)].name, []).extend(kind.size for kind in kinds)
-    return replace(scene, assets=tuple(emptied(one, laid.get(one.category, ())) for one in scene.assets))
+        for one, bearer in product(link.subjects, mentions(link.subjects if piled else link.objects)):
+            kind, other = (wishes.kinds[wishes.kind(mention.thing)] for mention in (one, bearer))
+            if piled or kind.on_object:
+                each = 1 if piled else math.ceil(one.count / max(bearer.count, 1))
+                laid.setdefault(other.name, []).extend([kind.size] * each)
+                shelves[other.name] = max(shelves[other.name], min(bearer.count, one.count) * link.shelves)
+    grown, assets = dict[str, list[float]](), list[Asset]()  # by how much; like things stay alike
+    for asset in scene.assets:
+        sizes, within = laid.get(asset.category, []), shelves[asset.category] > 0
+        bare = emptied(asset, sizes, shelves=within)
+        if sizes and asset.path is None and not any(thing.sizes for thing in wishes.told(asset.category)):
+            times = [new / old for new, old in zip(bearing(bare, sizes, shelves=within), bare.size, strict=True)]
+            times = grown.setdefault(asset.category, times)
+            d, w, h = (round(side * by, 3) for side, by in zip(bare.size, times, strict=True))
+            bare = replace(bare, size=(d, w, h))
+        shelves[asset.category] -= 1
+        assets.append(bare)
+    return replace(scene, assets=tuple(assets))
 
 
 def _wished(wishes: RoomWishes) -> dict[str, int]:

@@ -192,7 +192,8 @@ def compile_problem(
             built = furnished(scene, program, built, seed, attempts)
     poses = {**built, **said}
     parents = _parents(scene, relations, poses, said)
-    on = {r.a.name: r.place(scene) for r in relations if isinstance(r, OnTopOf) and parents.get(r.a.name) == r.b.name}
+    held = (r for r in relations if isinstance(r, OnTopOf) and parents.get(r.a.name) == r.b.name)
+    on = {r.a.name: r.place(scene, Layout(poses)) for r in held}
     usual = {a: resting_place(scene.by_name[b], scene.by_name[a]) for a, b in parents.items() if a not in on}
     resting = on | usual
     heights = _heights(scene, relations, poses, parents, resting)

@@ -18,6 +18,7 @@ from robolayout.words._at_sides import AtSides
 from robolayout.words._places import Asked, walls_meant
 from robolayout.words._rows import ToldRows, alike, in_rows, neighbours, on_a_wall
 from robolayout.words._said import Link, Mention, NamedThing, Place, mentions, named, place_in, places
+from robolayout.words._shelves import shelved
 from robolayout.words.demands import Demand, by_ways, single, stated
 
 
@@ -30,6 +31,7 @@ class Demander(AtSides):
         # of these only the first stands where they are put
         self.stacked = {thing for link in links if link.relation == "stacked" for thing in named(link.subjects)}
         asked = [(link, self._asked(link)) for link in links]
+        self.shelved = frozenset(shelved(scene.by_name, asked))
         self.cornered = frozenset(a for _, it in asked if it.place and it.place.name == "corner" for a in it.subjects)
         self.askew = {name for link, it in asked if link.relation == "diagonal" for name in it.subjects}
         twos = [(link.relation, *two) for link, it in asked for two in it.twos]
@@ -52,10 +54,8 @@ class Demander(AtSides):
         self.looking = self.manned.union(name for name, _ in turned)
         behind = {name for name, at in turned if at is not None and at.name in ("room", "door")}
         self.manned, self.surrounded = self.manned | behind, self.surrounded | behind
-        # metres that are told to lie between two
         self.metres = {two: link.metres for link, it in asked if link.relation == "apart" for two in it.twos}
-        # metres that things take that stand between others
-        amid = [it for link, it in asked if link.relation == "amid"]
+        amid = [it for link, it in asked if link.relation == "amid"]  # with the metres that things between others take
         self.between = {b: min(self._asset(a).size[:2]) for it in amid for a in it.subjects for b in it.others}
         mutual = [it.subjects for link, it in asked if link.relation == "mutual"]
         self.opposed = [two for names in mutual for two in zip(names[::2], names[1::2], strict=False)]
@@ -155,7 +155,8 @@ class Demander(AtSides):
         if self._asset(b).is_flat:
             return single(stated("under", AssetRef(b), (AssetRef(a),)))
         hung = self._asset(a).on_wall and not self._asset(a).on_object
-        return single(stated("above" if hung else "on_top_of", AssetRef(a), AssetRef(b)))
+        how = "above" if hung else "inside" if (a, b) in self.shelved else "on_top_of"
+        return single(stated(how, AssetRef(a), AssetRef(b)))
 
     def _in_each(self, a: str, b: str) -> Demand:
         """A thing rests on another; what stands on the floor stands flush beside a counter that it is in: a sink in an island."""
@@ -166,7 +167,7 @@ class Demander(AtSides):
         """What a thing has: on it, if it can stand nowhere else, else at it."""
         asset = self._asset(a)
         beside = asset.on_floor or self._is(b, small.SLEPT_ON)
-        if asset.on_object and (not beside or self._is(b, small.TOPS)):
+        if asset.on_object and (not beside or (a, b) in self.shelved or self._is(b, small.TOPS)):
             return self._on_each(a, b)
         if self._is(a, small.SEATS) and self._is(b, ("desk", "counter", "island")):
             across = b in self.manned and ways_of.visits(asset.category)
@@ -442,8 +443,7 @@ class Demander(AtSides):
         return ways_of.AHEAD
 
     def _middle_each(self, a: str, b: str) -> Demand:
-        on = self._asset(a).on_object or self._asset(b).is_flat
-        if not on:
+        if not (self._asset(a).on_object or self._asset(b).is_flat):
             return single(stated("near", AssetRef(a), AssetRef(b), ways_of.BESIDE))
         below = self._on_each(a, b)
         middle = () if self._asset(b).is_flat else (stated("centered_on", AssetRef(a), AssetRef(b)),)

@@ -381,7 +381,8 @@ class References(Spoken):
             self.said.links.remove(row)  # "lined up along two opposite walls": no one line
             self.said.read.update(range(row.start, row.end))
         told = (*about, chunk.start, chunk.end, (low, high), chunk.rows)
-        self.said.links.append(Link(chunk.value, *told, _sided(chunk)))
+        topmost = not {"top", "atop"}.isdisjoint(chunk.adjectives)
+        self.said.links.append(Link(chunk.value, *told, _sided(chunk), topmost))
         if self.gap is not None and chunk.value in ("above", "under"):
             self.said.missed.append(self.gap)  # heights are not told
             self.gap = None

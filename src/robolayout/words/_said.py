@@ -218,6 +218,13 @@ class Link:
     metres: tuple[float, float] = (0.0, 0.0)
     rows: int = 0  # rows or columns that are said, 0 if none are
     sided: str = ""  # at which sides of a table seats are in equal shares: "each", "long" or "end", if that is said
+    topmost: bool = False  # whether it is said of the top of a thing, not of its shelves
+
+    @property
+    def shelves(self) -> bool:
+        """Whether what it puts somewhere goes onto the shelves there: into a thing, or on what is called a shelf."""
+        shelf = all(bearer.noun.said.split()[-1] in small.SHELVES for bearer in named(self.objects))
+        return self.relation == "in" or (self.relation in ("on", "with") and shelf and not self.topmost)
 
     def had(self, own: Set[NamedThing], to: Set[NamedThing] | None) -> bool:
         """Return whether it only says that one of some things has a thing (any, for None)."""

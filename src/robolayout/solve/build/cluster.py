@@ -6,11 +6,12 @@ A cluster lives in the frame of its anchor: origin at the anchor's centre, x alo
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 
-from robolayout.assets import resting_place
+from robolayout.assets import Surface, resting_place
+from robolayout.assets.surfaces import slots
 from robolayout.constraints import AssetRef
 from robolayout.constraints.around import Around, Slot, left_gap
 from robolayout.scene import Scene
@@ -70,12 +71,10 @@ class ClusterBuilder:
         }  # in the order in which they are filled
         for items in sorted(by_kind.values(), key=lambda group: ([*slots].index(_slot(group)), group[0].turn)):
             for member in slots[_slot(items)](anchor, items, placed):
-                on_top = _slot(items) in ("on", "setting")
-                lift = resting_place(anchor.asset, self.wants[member.name].asset).height if on_top else 0.0
                 for part in self._members(member.name):
                     moved = part.moved(member.x, member.y, member.yaw)
                     side = member.side if part.name == member.name else part.side
-                    placed.append(replace(moved, bottom=part.bottom + lift, side=side))
+                    placed.append(replace(moved, bottom=part.bottom + member.bottom, side=side))
         return placed
 
     def _beside(self, anchor: Want, items: Sequence[Want], placed: Sequence[Member]) -> list[Member]:
@@ -160,16 +159,30 @@ class ClusterBuilder:
         return [Member(item.name, x, y, yaw, side=_side_of(yaw)) for item, (x, y, yaw) in there]
 
     def _on(self, anchor: Want, items: Sequence[Want], placed: Sequence[Member]) -> list[Member]:
-        """On the anchor's top: place settings before its seats, the rest where its kind belongs."""
-        sizes = {name: item.asset.size for name, item in self.wants.items()}
-        place = resting_place(anchor.asset, items[0].asset)
-        x0, y0, x1, y1 = place.rectangle
-        middle = ((x0 + x1) / 2, (y0 + y1) / 2)
-        there = [replace(member, x=member.x - middle[0], y=member.y - middle[1]) for member in placed[1:]]
-        seats = {m.name: m for m in there if m.bottom == 0.0 and _seats(self.wants[m.name])}
-        top = Top((x1 - x0, y1 - y0, place.height), sizes, there, self.reachable, list(seats.values()))
-        put = top.put([(item.name, item.joined.at, seats.get(item.joined.seat)) for item in items])
-        return [replace(member, x=member.x + middle[0], y=member.y + middle[1]) for member in put]
+        """On the anchor's tops: place settings before its seats, the rest where its kind belongs; what one cannot hold on the next."""
+        sizes, found = {name: item.asset.size for name, item in self.wants.items()}, list[Member]()
+        for place, share in _dealt(anchor, items):
+            x0, y0, x1, y1 = place.rectangle
+            middle = ((x0 + x1) / 2, (y0 + y1) / 2)
+            there = [replace(member, x=member.x - middle[0], y=member.y - middle[1]) for member in placed[1:]]
+            seats = {m.name: m for m in there if m.bottom == 0.0 and _seats(self.wants[m.name])}
+            top = Top((x1 - x0, y1 - y0, place.height), sizes, there, self.reachable, list(seats.values()))
+            put = top.put([(item.name, item.joined.at, seats.get(item.joined.seat)) for item in share])
+            found += [replace(m, x=m.x + middle[0], y=m.y + middle[1], bottom=place.height) for m in put]
+        return found
+
+
+def _dealt(anchor: Want, items: Sequence[Want]) -> Iterator[tuple[Surface, Sequence[Want]]]:
+    """Yield the places of a thing with those of some like things that are put there: as many as stand on each side by side."""
+    *tops, last = items[0].joined.tops or (resting_place(anchor.asset, items[0].asset),)
+    largest = max((item.asset.size for item in items), key=lambda size: size[0] * size[1])
+    for top in tops:
+        count = slots(top, largest)
+        if items[:count]:
+            yield top, items[:count]
+        items = items[count:]
+    if items:
+        yield last, items
 
 
 def _seats(want: Want) -> bool:

@@ -11,7 +11,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import TypeVar
 
-from robolayout.assets import Category, category_of, sweeps_of
+from robolayout.assets import Category, Surface, category_of, sweeps_of
 from robolayout.assets.obstacles import use_sides
 from robolayout.constraints import AssetRef, Relation
 from robolayout.constraints.above import Above
@@ -81,6 +81,7 @@ class Joining:
     side: str = ""  # the side of the other thing, where it is said
     at: str = ""  # where on a top: its halves as `toward` names them; for a setting its place beside the plate
     seat: str = ""  # who a setting is laid for
+    tops: tuple[Surface, ...] = ()  # the places of the other thing on which it may lie, the best first
 
 
 @dataclass(frozen=True)
@@ -353,7 +354,7 @@ class _Gathered:
             if isinstance(relation, Around):
                 return relation.b.name, Joining("around", relation.gap or AIM), demanded
             if isinstance(relation, OnTopOf):
-                return relation.b.name, self._on(relation.b), demanded
+                return relation.b.name, replace(self._on(relation.b), tops=relation.places(self.scene)), demanded
             if self.bare.asset.is_flat and isinstance(relation, NextTo | Toward):
                 return None, Joining("beside" if isinstance(relation, NextTo) else "on"), False
             if isinstance(relation, Beside) and self._joins(relation):
@@ -370,8 +371,7 @@ class _Gathered:
         return on_floor and relation.max_gap <= CLOSE and least < CLOSE / 2
 
     def _beside(self, relation: Beside) -> Joining:
-        side = getattr(relation, "side", "")
-        side = side or SIDES[relation.name]
+        side = getattr(relation, "side", "") or SIDES[relation.name]
         low, high = max(getattr(relation, "min_gap", 0.0), 0.0), relation.max_gap
         gap, yaw = min(low + AIM, (low + high) / 2), self._turned(relation.b)
         looks = any(one.b == relation.b for one, _ in self._all(PointTowards))
