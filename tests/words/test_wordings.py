@@ -181,6 +181,12 @@ def test_counts(text: str, counts: dict[str, int]) -> None:
         ("The door is in the south wall. A shelf is next to it. A box is on it.", {("next", "shelf", "door"), ("on", "box", "shelf")}),
         ("a bed, a desk and a sofa, but not near each other", {("far", "desk", "bed"), ("far", "sofa", "bed"), ("far", "sofa", "desk")}),
         ("three chairs far from each other", {("far", "chair", "chair")}),
+        ("a bench by the door and a table with gizmos on it", {("by", "bench", "door")}),
+        ("two guitars on stands by the wall", {("by", "guitar", "wall")}),
+        ("two bikes on repair stands in the middle", {("middle", "bike", "")}),
+        ("a china cabinet fills the corner", {("in", "china cabinet", "corner")}),
+        ("a desk, and a conveyor passes in front of it", {("front", "conveyor", "desk")}),
+        ("two curved rows of three desks", {("rows", "desk", "")}),
     ],
 )  # fmt: skip
 def test_relations(text: str, said: set[tuple[str, ...]]) -> None:

@@ -395,7 +395,8 @@ class Relating(About):
         """Return whether a relation is about words that say nothing: "..., and sound panels on the wall"."""
         before = [*dropwhile(lambda c: c.kind == "style", reversed(self.chunks[: self.at - 1]))]
         known = next(dropwhile(lambda c: c.kind in ("other", "function"), before), NOTHING)
-        held = self.group and (known.kind == "with" or self.having)  # "a cabinet with gadgets along the wall"
+        # "a cabinet with gadgets along the wall", but not "a cabinet with gadgets on it"
+        held = self.group and (known.kind == "with" or self.having) and self._ahead().kind != "pron"
         return known not in (*before[:1], NOTHING) and known.kind in ("and", "comma", "with") and not held
 
     def _reversed(self, chunk: Chunk, subjects: list[Mention], objects: Sequence[Item]) -> None:

@@ -53,7 +53,12 @@ _SAID = {
     "(in an? (?:u|horseshoe)(?: shape)?) ,(?: and)? ((?:the|a) FEW) (?:in|at) the opening(?: of the (?:u|horseshoe))?": "{1} facing {2}",
     "at (?:its|the) (left|right) end(?! of)": "to the {1} of it",
     "at (?:the|its) (left|right) end of": "to the {1} of",
-    "speakers on (?:floor |tall )?stands": "speakers",
+    r"(speakers?|guitars?|violins?|cellos?|(?:mountain |road )?bikes?|bicycles?) on (?:an? |their |its )?(?:\w+ )?stands?(?! lamp)": "{1}",
+    "(each|every) wall (?:except|but|apart from)(?: for| on)? (?:the )?(?:one|wall) with (?:the|a) (?:door|window)s?": (
+        "{1} wall ( unreadable )"
+    ),
+    r"(MANY|two) (?:curved|staggered) rows of ((?:\w+ ){0,2}\w+s)": "{1} rows of {2} ( unreadable )",
+    "(?:across|with|separated by) (?:an? )?(?:\\w+ )?aisle (?:of )?WIDE": "with {1} aisles",
     "(?:a|the) dance floor in the (?:middle|center|centre)(?: of the (?:room|hall))?": "the middle of the room free",
     "(?:beside|next to|alongside) (THING) on (SIDES)": "on {2} of {1}",
     "WIDE between (THING) and the walls? on (SIDES)": "{1} of free space on {3} of {2}",
