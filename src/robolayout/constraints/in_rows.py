@@ -15,7 +15,7 @@ from robolayout.scene import Layout, Scene
 
 @dataclass(frozen=True)
 class InRows(Relation):
-    """The `items` stand in straight, even `rows` (None: any), at least `aisle` m apart, `gap` m beside; `backs`: "paired" or "facing"."""
+    """The `items` stand in straight `rows` (None: any), `aisle` to `widest` m apart, `gap` m beside; `backs`: "paired" or "facing"."""
 
     name = "in_rows"
     moves = ("items",)
@@ -27,9 +27,12 @@ class InRows(Relation):
     gap: float = argument("number", unit="m", default=0.0)
     backs: str = argument("text", choices=("alike", "paired", "facing"), default="alike")
     rows: int | None = argument("integer", "none", default=None)
+    widest: float | None = argument("number", "none", unit="m", default=None)
 
     def fault(self, scene: Scene) -> str:
-        """Refuse no rows, and more rows than things."""
+        """Refuse no rows, more rows than things, and aisles that are at most narrower than they are at least."""
+        if self.widest is not None and self.widest < self.aisle:
+            return f"aisles are at least {self.aisle:g} m wide, so not at most {self.widest:g} m"
         if self.rows is not None and not 1 <= self.rows <= len(self.items):
             return f"{len(self.items)} things stand in 1 to {len(self.items)} rows, not in {self.rows}"
         return ""
@@ -103,7 +106,7 @@ class InRows(Relation):
         lines: Sequence[Sequence[AssetRef]],
         ahead: Sequence[set[bool]],
     ) -> tuple[float, float, list[float]]:
-        """Return how much too close two are, how far a row is beside the longest one, and the widths of the aisles, in metres."""
+        """Return how much too close (or far) two are, how far a row is beside the longest one, and the widths of the aisles, in metres."""
         half = {item: half_size(scene, item) for item in self.items}
         ends = [[[seen[i][k] + sign * half[i][k] for i in line for sign in (-1, 1)] for line in lines] for k in (0, 1)]
         aisles = [
@@ -114,6 +117,7 @@ class InRows(Relation):
         places = [sorted(zip(line[::2], line[1::2], strict=True)) for line in ends[1]]
         gaps = [two[0] - one[1] for line in places for one, two in pairwise(line)]
         close = max(self.aisle - min(aisles, default=math.inf), self.gap - min(gaps, default=math.inf))
+        close = max(close, max(aisles, default=0.0) - (math.inf if self.widest is None else self.widest))
         aside = _aside([(min(line), max(line)) for line in ends[1]])
         return close, max(map(abs, aside)), aisles
 

@@ -107,8 +107,9 @@ class Floor:
         )
         depth = max(corridor, FLOOR.door_depth if room.area < FLOOR.small_room else FLOOR.wide_door_depth)
         for door in reversed(room.doors):
-            floor.door = floor.cells(np.array(room.landing(door)))
-            floor.landing |= floor.door
+            landing, wide = (floor.cells(np.array(room.landing(door, deep))) for deep in (None, radius + 2 * cell))
+            floor.door = landing | wide  # a body wider than the landing is deep stands beyond it
+            floor.landing |= landing
             floor.wanted[floor.cells(np.array(room.landing(door, depth)))] += FLOOR.door_want
         return floor
 

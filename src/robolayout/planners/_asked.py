@@ -59,7 +59,8 @@ IN_THE_LIGHT = -3.0  # weight of the wish of what something hangs above to stand
 def asked_lines(scene: Scene, demands: Sequence[Demand], known: set[str]) -> dict[str, str]:
     """Return what the user's words ask of known things as statements, each with its first subject; all ways that are open.
 
-    What a thing on a wall is to hang above stands at a wall, and rather beside its windows, unless words put it elsewhere.
+    What a thing on a wall is to hang above stands at a wall, and rather beside its windows, with what it is at, unless words put it
+    elsewhere.
     """
     program, found = Program(expressions=scene.expressions), list[Relation]()
     placed, of_known = subjects(demands), [demand for demand in demands if demand.names() <= known]
@@ -69,8 +70,10 @@ def asked_lines(scene: Scene, demands: Sequence[Demand], known: set[str]) -> dic
     under = hung_over(scene, of_known)
     found += [AgainstWall(AssetRef(name)) for name in under if name not in placed]
     lines = {f"solver.{program.call(relation)}": relation.asset_names()[0] for relation in found}
+    sides = [one.asset_names() for one in said(of_known) if isinstance(one, SideRelation | Near | NextTo)]
+    beside = [*under, *(two[1] for two in sides if len(two) == 2 and two[0] in under)]
     aside = f"weight={IN_THE_LIGHT:g}"
-    return lines | {f"solver.wish.at_window({scene.expressions[name]}, {aside})": name for name in under}
+    return lines | {f"solver.wish.at_window({scene.expressions[name]}, {aside})": name for name in beside}
 
 
 def join_as_asked(cast: Mapping[str, Cast], demands: Sequence[Demand], passage: float = 0.0) -> dict[str, Cast]:

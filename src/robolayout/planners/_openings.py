@@ -26,6 +26,7 @@ class Openings:
     window_each: float = 12.0
     door_each: float = 90.0
     """Square metres of floor for each window and door of a room of which neither is said: the usual one aside, so many more."""
+    small: float = 10.0  # square metres of floor up to which one window is enough
     most_windows: int = 6
     most_doors: int = 2
     """How many windows and doors there are at the most where nothing is said."""
@@ -80,7 +81,7 @@ def with_openings(
         offset = first + (1.0 - _aside(room, wall, along, wishes, full)) * (spare - 2 * first)
         width, height = min(wide, room.walls[wall].length), min(tall, room.wall_height - OPENINGS.lintel)
         doors.append(Opening(wall, round(max(offset, 0.0), 2), width, height))
-    more = max(1 + int(rng.integers(0, 2)), int(room.area / OPENINGS.window_each))
+    more = max(1 + int(rng.integers(0, 2)), int(room.area / OPENINGS.window_each)) if room.area > OPENINGS.small else 1
     room, taken = replace(room, doors=tuple(doors)), {d.wall for d in doors}
     high = _held(room, wishes, OPENINGS.sill)
     taken |= high if len(taken | high) < len(order) else set[int]()

@@ -268,7 +268,8 @@ class AtPlaces:
             under = under and self._asset(a).on_floor and not self._asset(a).is_flat
             for opening, point in zip(openings_meant(self.room, place), self._points(place), strict=True):
                 held = (stated("against_wall", ref, WallRef(opening.wall)),) if under else ()
-                yield (stated("near", ref, point, gap), *held)
+                further = 0.0 if place.name == "window" else ways_of.beyond_jambs(opening.width)
+                yield (stated("near", ref, point, round(gap + further, 2)), *held)
             for opening in openings_meant(self.room, place) if a in self.cornered else ():
                 ends = (opening.offset, opening.offset + opening.width)
                 points = (_point(self.room.walls[opening.wall].point(end)) for end in ends)

@@ -32,6 +32,9 @@ from robolayout.words.demands import Demand, single, stated
 WIDER = 1.5
 """How many times as many things are abreast as there are rows, where neither is said."""
 
+ASIDE = 1.25
+"""How many times as wide as is said the aisle between rows is at the most that face each other across it."""
+
 End = AssetRef | PointRef
 """What a thing can stand between."""
 
@@ -183,7 +186,8 @@ def in_rows(
     items = tuple(AssetRef(name) for name in names)
     usual = {"facing": NEAR, "paired": BESIDE}.get(backs, 0.0)  # rows of which no more is said may stand back to back
     apart = aisle or (AISLE if amid and rows != 1 else usual)
-    return single(InRows(items, apart, gap, backs, rows))
+    widest = round(ASIDE * aisle, 3) if aisle and backs == "facing" else None  # across that aisle, not across the room
+    return single(InRows(items, apart, gap, backs, rows, widest))
 
 
 def on_a_wall(names: Sequence[str], room: Room) -> Iterator[Demand]:

@@ -13,6 +13,9 @@ Ways = tuple[tuple[tuple[str | float, ...], ...], ...]
 BESIDE, NEAR, AT_TABLE, AT_WINDOW, AT_DOOR = 0.6, 1.2, 0.5, 0.6, 1.4
 """Metres from edge to edge that "next to", "near", "at" a thing, "at the window" and "by the door" allow (0.9 m before it stay clear)."""
 
+GATE = 1.2
+"""Metres of a door from which width on what is by it is farther from its middle."""
+
 CORNER_BY, FREE_IN_CORNER = 0.9, 1.5
 """Metres from an end of a window to what is in the corner by it, and from a corner to what is in it and touches no wall."""
 
@@ -161,6 +164,11 @@ BY_TWOS: Mapping[str, Ways] = {
     "mutual desks": ((("behind", 0.0, TOUCHING), ("align_with", 180.0)),),
 }
 """What the second of every two is asked to be to the first."""
+
+
+def beyond_jambs(width: float) -> float:
+    """Return how many metres farther from the middle of a door of some width things may be that are by it."""
+    return max(0.0, width - GATE) / 2
 
 
 def visits(category: str) -> bool:

@@ -18,7 +18,7 @@ from robolayout.words._kinds import settle_kinds
 from robolayout.words._lexicon import Lexicon, grammar
 from robolayout.words._parse import Parser
 from robolayout.words._reworded import reworded
-from robolayout.words._said import Link, NamedThing, Parsed, mentions, place_in, places
+from robolayout.words._said import Link, NamedThing, Parsed, mentions, named, place_in, places
 from robolayout.words._tokens import Measure, Size, Token, count_of, measures, tokens
 
 LONGEST = 4000
@@ -202,6 +202,7 @@ def read_text(text: str, lexicon: Lexicon) -> Reading:
     young = "child_6" in bodies or len(siblings) > 1 or any(c.value in small.YOUNG for c in people)
     settle_kinds(parsed)
     _two_at_each(parsed.links)
+    parsed.links[:] = _had_nearby(parsed.links)
     number = _shared_out(parsed.things, bounded(counts[0], "people"))
     seats = number or next((thing.people * thing.count for thing in parsed.things if thing.people), 0)
     for thing in parsed.things:
@@ -240,6 +241,16 @@ def _two_at_each(links: Sequence[Link]) -> None:
         for thing in (one.thing for one in link.subjects if several and one.thing.head == "stool"):
             if thing.plural and thing.number is None and thing.times == 1:
                 thing.number = 2 * several[0]
+
+
+def _had_nearby(links: Sequence[Link]) -> list[Link]:
+    """Return links without those that give to what is in the middle of the room what is asked to a wall."""
+    at = [(link.relation == "middle", link) for link in links if link.relation in ("middle", "wall", "corner")]
+    middle, walled = ({m.thing for amid, link in at if amid == which for m in link.subjects} for which in (True, False))
+    walled |= {m.thing for link in links if place_in(link.objects, "wall", "corner") for m in link.subjects}
+    return [
+        k for k in links if k.relation != "with" or not (named(k.objects) <= middle and named(k.subjects) <= walled)
+    ]
 
 
 def _shared_out(things: Sequence[NamedThing], number: int) -> int:

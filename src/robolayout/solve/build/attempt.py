@@ -30,7 +30,9 @@ class Costs:
     cut_off: float = 40.0  # cost of all of the free floor being out of the agent's way
     inexact: float = 30.0  # cost of a place where something touches, by the exact check
     shut: float = 18.0  # cost of a place where a door or drawer does not open
-    spread: int = 12  # places of a circle that are tried, all over the room
+    spread: int = (
+        12  # places of a circle, or of a block for which none of the best will do, that are tried all over the room
+    )
     checked: int = 300  # best places that are checked exactly before one is taken
     trials: int = 8  # places for which it is found out what they cut off
     close: float = 0.3
@@ -389,14 +391,14 @@ class BuildPass:
             cost += unmet + COSTS.tight * plan.tight + COSTS.ragged * (plan.rows * plan.columns - len(plan.names))
             cost += 0.3 * abs(plan.rows - plan.columns) ** 0.5 + COSTS.elsewhere * off_walls(self.site, plan, batch)
             rows = np.argsort(cost, kind="stable")
-            tried = rows[:4]
-            if plan.cells:
-                as_good = rows[cost[rows] < cost[rows[0]] + MISSED]
-                tried = as_good[:: math.ceil(len(as_good) / COSTS.spread)]
+            as_good = rows[cost[rows] < cost[rows[0]] + MISSED]
+            spread = as_good[:: math.ceil(len(as_good) / COSTS.spread)]
+            tried = spread if plan.cells else rows[:4]
             few += [(float(cost[row]), plan, batch, int(row)) for row in tried]
             across = np.abs(np.sin(batch.poses[rows, 2])) > math.sqrt(0.5)
             turned = rows[across != across[0]][: told * COSTS.checked]  # the other way may leave a way past it
-            more += [(float(cost[row]), plan, batch, int(row)) for row in turned]
+            elsewhere = [] if plan.cells else spread[: told * len(spread)]
+            more += [(float(cost[row]), plan, batch, int(row)) for row in (*turned, *elsewhere)]
         limit = COSTS.hopeless + (missed if told else 0.0)  # what no place meets of a block speaks against none
         limit = limit if self.site.wants[clusters[0].anchor].shape is None else math.inf
         best = self._best_grid(clusters, few, limit)

@@ -55,7 +55,9 @@ def grid_batches(site: Site, clusters: Sequence[Cluster]) -> Iterator[tuple[Grid
         both = 1 if rows.backs == "alike" else 2  # chairs of both rows stand in the aisle
         aisles = [(between[0] * both + aisle0 * wider, closer) for wider, closer in AISLES]
         walled = (
-            [*_walled(site, size[0] / 2 - extent[0], aisles[0][0])] if rows.backs == "facing" and count == 2 else []
+            [*_walled(site, size[0] / 2 - extent[0], aisles[0][0])]
+            if rows.backs == "facing" and count == 2 and rows.widest is None
+            else []
         )
         for aisle, closer in (*walled, *aisles):
             if closer < 1.0 and gap0 > max(TIGHTEST, between[1]):
@@ -77,7 +79,9 @@ def _walled(site: Site, deep: float, least: float) -> Iterator[tuple[float, floa
 
 def off_walls(site: Site, plan: GridPlan, batch: Places) -> NDArray[np.bool_]:
     """Return (n,) whether rows that face each other have not both their backs at walls, where such things usually do."""
-    if plan.backs != "facing" or next(iter(site.wants[plan.names[0]].stands), "") != "wall":
+    rows = site.wants[plan.names[0]].rows
+    told = rows is not None and rows.widest is not None
+    if plan.backs != "facing" or told or next(iter(site.wants[plan.names[0]].stands), "") != "wall":
         return np.zeros(len(batch.poses), np.bool_)
     size, walls = site.size(plan.names[0]), shapely.LinearRing(site.room.vertices)
     there = np.array([Member("", *cell_poses(plan, size)[k]).everywhere(batch.poses) for k in (0, -1)])
