@@ -187,6 +187,10 @@ def test_counts(text: str, counts: dict[str, int]) -> None:
         ("a china cabinet fills the corner", {("in", "china cabinet", "corner")}),
         ("a desk, and a conveyor passes in front of it", {("front", "conveyor", "desk")}),
         ("two curved rows of three desks", {("rows", "desk", "")}),
+        ("a shelf with books on the wall", {("on", "shelf", "wall"), ("with", "book", "shelf")}),
+        ("a desk, a shelf with books above it", {("above", "shelf", "desk"), ("with", "book", "shelf")}),
+        ("a table with a lamp above it", {("above", "lamp", "table")}),
+        ("a bench in the middle with a rack along the wall", {("middle", "bench", ""), ("wall", "rack", "wall")}),
     ],
 )  # fmt: skip
 def test_relations(text: str, said: set[tuple[str, ...]]) -> None:

@@ -187,6 +187,8 @@ def bearing(asset: Asset, sizes: Sequence[Size], *, shelves: bool) -> Size:
     Seats, what is about as deep as wide and what would have to be far wider stay as they are.
     """
     (depth, width, height), tops = asset.size, outer_surfaces(asset)
+    if not tops:  # a board with hooks
+        return asset.size
     x0, y0, x1, y1 = max(open_shelves(asset) * shelves or tops, key=lambda surface: surface.region.area).rectangle
     if shelves and open_shelves(asset) and max(wide for _, wide, _ in sizes) <= y1 - y0:
         lacks = max(deep for deep, *_ in sizes) + SURFACES.apart - (x1 - x0)

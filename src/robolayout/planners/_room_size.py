@@ -89,6 +89,8 @@ def _blocks(wishes: RoomWishes) -> Iterator[tuple[float, float]]:
             )
             parted += max(told_gaps, default=0.0) * (sum(count for count, *_ in sizes) - 1)
             wide = sum(count * width for count, _, width, _ in sizes) + parted + SIZES.around
+            seated = sum(m.count for k in links if own & named(k.objects) for m in k.subjects if m.sat_on)
+            wide += SIZES.walkway * (seated >= 2 * sum(count for count, *_ in sizes))  # to who sits on its other side
             tall = max(height for *_, height in sizes) > SIZES.low
             yield wide, wide if tall else 0.0  # tall things need a wall without a window
         grouped = link.relation == "groups" and link.rows > 2

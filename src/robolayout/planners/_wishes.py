@@ -211,7 +211,8 @@ class RoomWishes:
             return kind
         (word,), links = said, self.reading.parsed.links
         at = [item for link in links if thing in named(link.subjects) for item in link.objects]
-        elsewhere = any(isinstance(item, Place) or item.thing.noun.kind.endswith("table") for item in at)
+        tables = {word.split()[-1] for item in mentions(at) for word in (item.thing.noun.kind, item.thing.noun.said)}
+        elsewhere = "table" in tables or len(mentions(at)) < len(at)
         usual = () if word == "chair" and elsewhere else (*room.base, *room.extras)
         items = [*([room.tables] if room.tables else []), *room.person, *usual]
         if word in items or (word in CATALOGUE and kind != word):

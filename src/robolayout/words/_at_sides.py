@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
+from itertools import pairwise
 
 from robolayout.constraints import AssetRef, PointRef, Relation, WallRef
 from robolayout.constraints.around import Around
@@ -13,11 +14,27 @@ from robolayout.words import _function_words as small
 from robolayout.words import _ways as ways_of
 from robolayout.words._places import Asked, AtPlaces, openings_meant, opposed, walls_meant
 from robolayout.words._rows import ToldRows
-from robolayout.words._said import Place
+from robolayout.words._said import Link, Place, place_in
 from robolayout.words.demands import Demand, EdgeGap, FreeDisc, Way, by_ways, single, stated
 
 SIDES_OF_A_LOUNGE = ("behind", "left_of", "right_of", "in_front_of")
 """Sides of a low table at which sofas stand that are around it, in their order."""
+
+
+def on_walls_beside(asked: Iterable[tuple[Link, Asked]]) -> dict[tuple[str, str], tuple[float, float]]:
+    """Return how far things are from others at whose side their wall is: "on the wall to the right of the bed"."""
+    found: dict[tuple[str, str], tuple[float, float]] = {}
+    for (at, it), (side, to) in pairwise(asked):
+        named_by = side.relation in ("left", "right") and side.start - at.end <= len(("the", "wall"))
+        if named_by and place_in(at.objects, "wall") and list(it.subjects) == list(to.subjects):
+            found |= dict.fromkeys(to.twos, (0.0, ways_of.ACROSS))
+    return found
+
+
+def parted(asked: Iterable[tuple[Link, Asked]]) -> frozenset[str]:
+    """Return what is asked to opposite walls: what is between that may be far from both."""
+    walls = ((it.subjects, it.place) for _, it in asked if it.place is not None and it.place.name == "wall")
+    return frozenset(name for names, at in walls if at.plural and "opposite" in at.words for name in names)
 
 
 class AtSides(AtPlaces):
@@ -31,6 +48,9 @@ class AtSides(AtPlaces):
 
     told: ToldRows
     """What is said of rows and shapes."""
+
+    parted: frozenset[str]
+    """What is asked to opposite walls."""
 
     def _cleared(self, subjects: Sequence[str], place: str, metres: float) -> Iterator[Demand]:
         """Yield that so much floor, or what the body needs, is free at one of some sides of things: no thing stands there, and no wall."""
@@ -244,3 +264,11 @@ class AtSides(AtPlaces):
         depth, width, _ = self._asset(ref.name).size
         for angle in (90.0, 270.0, 0.0, 180.0):
             yield (angle, depth / 2, width / 2) if angle in (90.0, 270.0) else (angle, width / 2, depth / 2)
+
+    def _within(self, a: str, end: AssetRef | PointRef) -> float:
+        """Return how far from an end a thing between two stands: what is narrower than itself flanks it."""
+        if isinstance(end, AssetRef) and (self._only_wall(end.name) or end.name in self.parted):
+            return ways_of.ACROSS  # "a TV on the opposite wall and a table in between"
+        if isinstance(end, AssetRef) and end.name not in self.told.abreast:
+            return ways_of.BESIDE if self._asset(end.name).size[1] < self._asset(a).size[1] else ways_of.AHEAD
+        return ways_of.AHEAD

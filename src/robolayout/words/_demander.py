@@ -14,7 +14,7 @@ from robolayout.constraints.in_shape import InShape
 from robolayout.scene import Scene
 from robolayout.words import _function_words as small
 from robolayout.words import _ways as ways_of
-from robolayout.words._at_sides import AtSides
+from robolayout.words._at_sides import AtSides, on_walls_beside, parted
 from robolayout.words._places import Asked, walls_meant
 from robolayout.words._rows import ToldRows, alike, in_rows, neighbours, on_a_wall
 from robolayout.words._said import Link, Mention, NamedThing, Place, mentions, named, place_in, places
@@ -32,6 +32,7 @@ class Demander(AtSides):
         self.stacked = {thing for link in links if link.relation == "stacked" for thing in named(link.subjects)}
         asked = [(link, self._asked(link)) for link in links]
         self.shelved = frozenset(shelved(scene.by_name, asked))
+        self.parted = parted(asked)
         self.cornered = frozenset(a for _, it in asked if it.place and it.place.name == "corner" for a in it.subjects)
         self.askew = {name for link, it in asked if link.relation == "diagonal" for name in it.subjects}
         twos = [(link.relation, *two) for link, it in asked for two in it.twos]
@@ -54,7 +55,9 @@ class Demander(AtSides):
         self.looking = self.manned.union(name for name, _ in turned)
         behind = {name for name, at in turned if at is not None and at.name in ("room", "door")}
         self.manned, self.surrounded = self.manned | behind, self.surrounded | behind
-        self.metres = {two: link.metres for link, it in asked if link.relation == "apart" for two in it.twos}
+        self.metres = {
+            two: link.metres for link, it in asked if link.relation == "apart" for two in it.twos
+        } | on_walls_beside(asked)
         amid = [it for link, it in asked if link.relation == "amid"]  # with the metres that things between others take
         self.between = {b: min(self._asset(a).size[:2]) for it in amid for a in it.subjects for b in it.others}
         mutual = [it.subjects for link, it in asked if link.relation == "mutual"]
@@ -170,7 +173,7 @@ class Demander(AtSides):
         if asset.on_object and (not beside or (a, b) in self.shelved or self._is(b, small.TOPS)):
             return self._on_each(a, b)
         if self._is(a, small.SEATS) and self._is(b, ("desk", "counter", "island")):
-            across = b in self.manned and ways_of.visits(asset.category)
+            across = (b in self.manned and ways_of.visits(asset.category)) or any(a == two for _, two in self.opposed)
             return by_ways(ways_of.ACROSS_A_DESK[:1] if across else ways_of.AT_A_DESK, a, b)
         if beside or asset.on_wall:
             return single(stated("near", AssetRef(a), AssetRef(b), ways_of.BESIDE if beside else ways_of.NEAR))
@@ -433,14 +436,6 @@ class Demander(AtSides):
                 stated("near", AssetRef(a), end, ways_of.ACROSS if far else self._within(a, end)) for end in (one, two)
             )
             yield Demand((near,), BetweenTwo(AssetRef(a), one, two))
-
-    def _within(self, a: str, end: AssetRef | PointRef) -> float:
-        """Return how far from an end a thing between two stands: what is narrower than itself flanks it."""
-        if isinstance(end, AssetRef) and self._only_wall(end.name):
-            return ways_of.ACROSS  # "a TV on the opposite wall and a table in between"
-        if isinstance(end, AssetRef) and end.name not in self.told.abreast:
-            return ways_of.BESIDE if self._asset(end.name).size[1] < self._asset(a).size[1] else ways_of.AHEAD
-        return ways_of.AHEAD
 
     def _middle_each(self, a: str, b: str) -> Demand:
         if not (self._asset(a).on_object or self._asset(b).is_flat):

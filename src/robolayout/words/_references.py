@@ -241,6 +241,12 @@ class References(Spoken):
         if chunk.value == "flank" and not objects and held and self.holder[0].thing.count == 2 and self.recent[2:]:
             own = {self.holder[0].thing, subjects[0].thing}  # "two nightstands with lamps on either side"
             return self.holder, [*[m for m in self.recent if m.thing not in own][:1]]
+        kinds = [kind for one in subjects for kind in one.thing.noun.categories]
+        hanging = any(kind.on_wall or kind.on_ceiling for kind in kinds)
+        if chunk.value == "above" and held and named(self.holder) & named(objects) and not hanging:
+            own = named((*self.holder, *subjects))  # "a desk by the door, a shelf with books above it"
+            objects = list[Item](m for m in self.recent if m.thing not in own and m.thing.category.on_floor)[-1:]
+            return (self.holder if objects else []), objects
         middle = chunk.value == "middle" and not objects
         if middle and held and self.holder[0].topped:
             on = [list(k.objects) for k in self.said.links if k.relation == "on" and self.holder[0] in k.subjects]
@@ -267,6 +273,7 @@ class References(Spoken):
         low = held and not self.group[-1].topped and not self.holder[0].thing.category.on_floor
         sat = held and self.group[-1].sat_on and self.holder[0].thing.head in small.TOPS
         hung = place and not sat and chunk.value in ("on", "hanging") and not place_in(objects[:1], "side")  # a TV
+        hung = hung and (hanging or not place_in(objects[:1], "wall"))  # "a shelf with books on the wall"
         sat = sat and (chunk.value != "opposite" or self.group[-1].thing.head not in small.LOUNGE)
         others = [m for m in apart if m.thing.count > 1]
         seated = sat and chunk.value in (*small.STANDING, "amid")
@@ -278,6 +285,8 @@ class References(Spoken):
         seats = held and bool(objects) and self.group[-1].sat_on  # "a table with four chairs on a rug"
         laid = laid or (seats and _over_or_under(chunk.value, objects[0]) and not to_it)
         swapped = (place or laid) and held and not (hung or (low and not hangs)) and subjects == self.group[-1:]
+        central = [k for k in self.said.links if k.relation == "middle" and named(self.holder) & named(k.subjects)]
+        swapped = swapped and not (central and place_in(objects[:1], "wall", "corner", "window", "door"))
         return (self.holder if swapped else subjects), objects
 
     def _far_apart(self, chunk: Chunk) -> bool:
