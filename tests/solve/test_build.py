@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+import robolayout as rl
 from robolayout.planners import OfflinePlanner, PlanRequest, scene_from_sentence
 from robolayout.program import read_program, reconcile
 from robolayout.run.verdict import make_judge
@@ -313,3 +314,9 @@ def test_nobody_on_a_seat_at_a_wall_has_another_seat_before_the_knees(text: str)
         c, s = math.cos(one.yaw), math.sin(one.yaw)
         seen = [((p.x - one.x) * c + (p.y - one.y) * s, (p.y - one.y) * c - (p.x - one.x) * s) for p in chairs]
         assert not [at for at in seen if 0.3 < at[0] < 0.75 and abs(at[1]) < 0.3]
+
+
+def test_what_stands_at_something_that_hangs_has_a_place() -> None:
+    """Its anchor is hung later: it got no place at all, a KeyError."""
+    result = rl.generate("A living room with a sofa and a dog bed by the radiator.")
+    assert result.report.ok, result.report.violations

@@ -56,8 +56,7 @@ DEMANDED = 2.0
 """Weight of looking at something, where that is demanded."""
 
 LEADS = 0.6
-"""Weight of a wish for a corner from which on corners are tried beside the rest of the walls; and of that for a wall of what
-is used from the front and nothing is said of."""
+"""Weight of a wish for a corner from which on corners are tried beside the rest of the walls; and of a wall for what has a front."""
 
 ORDER = ("corner", "wall", "facing", "middle", "hang")
 """Ways of standing in the order in which they are tried where nothing tells them apart."""
@@ -254,7 +253,9 @@ def _acyclic(wants: dict[str, Want]) -> dict[str, Want]:
         while at is not None and at not in seen:
             seen.add(at)
             at = wants[at].anchor if at in wants else None
-        if at is not None or (want.anchor is not None and want.anchor not in wants):
+        to = wants.get(want.anchor or "")
+        hung = to is not None and to.hung and want.joined.slot not in ("on", "setting")  # a dog bed by the radiator
+        if at is not None or hung or (want.anchor is not None and to is None):
             wants[name] = replace(want, anchor=None, join=None)
     return wants
 
@@ -281,8 +282,8 @@ class _Gathered:
             anchor, join = None, None  # its place is in the block
         face, weights = self._face(anchor), dict[str, float]()
         for one in self.said:
-            numbered = (getattr(one.relation, key, None) for key in ("vertex", "window"))
-            word = one.relation.name if all(number is None for number in numbered) else "one of several"
+            several = any(getattr(one.relation, key, None) is not None for key in ("vertex", "window"))
+            word = "one of several" if several else one.relation.name
             if one.wish is not None and word in ("mid_wall", "corner", "at_window", "by_door", "snug"):
                 weights[word] = weights.get(word, 0.0) + one.wish
             elif one.wish is not None and isinstance(one.relation, CenteredOn) and one.relation.b is None:
@@ -367,18 +368,17 @@ class _Gathered:
         """Whether a thing that is said to be at a side of another stands right at it."""
         other = self.scene.by_name.get(relation.b.name)
         here, least = self.bare.asset, getattr(relation, "min_gap", 0.0)
-        on_floor = other is not None and other.on_floor and not other.is_flat and here.on_floor and not here.is_flat
+        on_floor = other is not None and all(one.on_floor and not one.is_flat for one in (other, here))
         return on_floor and relation.max_gap <= CLOSE and least < CLOSE / 2
 
     def _beside(self, relation: Beside) -> Joining:
-        side = getattr(relation, "side", "") or SIDES[relation.name]
-        low, high = max(getattr(relation, "min_gap", 0.0), 0.0), relation.max_gap
-        gap, yaw = min(low + AIM, (low + high) / 2), self._turned(relation.b)
+        side, low = getattr(relation, "side", "") or SIDES[relation.name], max(getattr(relation, "min_gap", 0.0), 0.0)
+        gap, yaw = min(low + AIM, (low + relation.max_gap) / 2), self._turned(relation.b)
         looks = any(one.b == relation.b for one, _ in self._all(PointTowards))
         if side in ("front", "back"):
             facing = math.pi if side == "front" else 0.0
             if yaw in (None, facing):
-                gap = min(max(gap, self._to_open()), high)
+                gap = min(max(gap, self._to_open()), relation.max_gap)
             return Joining("front" if side == "front" else "behind", gap, facing if yaw is None else yaw)
         fixed = "" if side == "beside" else side
         across = looks or (yaw is not None and abs(math.sin(yaw)) > math.sqrt(0.5))
