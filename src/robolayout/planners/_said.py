@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import replace
 
 from robolayout.constraints import AssetRef, PointRef, Relation
 from robolayout.constraints.between import BetweenTwo
@@ -12,6 +13,7 @@ from robolayout.constraints.in_shape import InShape, circle_across
 from robolayout.constraints.keep_clear import KeepClear
 from robolayout.constraints.on_top_of import OnTopOf
 from robolayout.constraints.under import Under
+from robolayout.planners._knowledge import Role
 from robolayout.planners._roles import Cast
 from robolayout.scene import Scene
 from robolayout.words import CROWD, Demand
@@ -54,6 +56,15 @@ def audience(cast: Mapping[str, Cast], demands: Sequence[Demand]) -> list[str]:
         if len(crowd) >= CROWD and len(like) == 1 and like <= looks and not crowd & placed:
             return [name for name in cast if name in crowd]
     return []
+
+
+def seated_in_rows(cast: Mapping[str, Cast], demands: Iterable[Demand], role: Role) -> dict[str, Cast]:
+    """Return the cast with lounge seats that are asked into rows in the role of an audience, if there is something for one to watch."""
+    blocks = [one for one in said(demands) if isinstance(one, InRows)]
+    rows = [one.asset_names() for one in blocks if one.rows != 1 or len(one.items) >= CROWD]
+    shown = any(one.role.name in role.face.roles for one in cast.values())
+    seats = {name for row in rows for name in row if shown and cast[name].role.name in ("armchair", "sofa")}
+    return {name: replace(one.alone, role=role) if name in seats else one for name, one in cast.items()}
 
 
 def rowed(demands: Iterable[Demand]) -> set[str]:

@@ -216,7 +216,8 @@ class RoomWishes:
         usual = () if word == "chair" and elsewhere else (*room.base, *room.extras)
         items = [*([room.tables] if room.tables else []), *room.person, *usual]
         if word in items or (word in CATALOGUE and kind != word):
-            return "single bed" if kind == "bed" and thing.times > 1 else kind  # "two children, each with a bed"
+            alone = thing.times > 1 or {*DATA["nouns"]["young"]} & {word.text for word in self.reading.words}
+            return "single bed" if kind == "bed" and alone else kind  # "two children, each with a bed"
         low = LOW if thing.sat_at or thing.people else ()
         fits = [name for name in items if name.split()[-1] == word and name.split()[0] != word and name not in low]
         if thing.noun.said == "small table":  # in a game room no pool table, beside a sofa no coffee table

@@ -11,6 +11,7 @@ from robolayout.assets import CATALOGUE
 from robolayout.planners._asked import asked_lines, join_as_asked
 from robolayout.planners._knowledge import SLOTS, Knowledge, load_knowledge
 from robolayout.planners._roles import Cast, cast_scene, chain, passage
+from robolayout.planners._said import seated_in_rows
 from robolayout.planners._types import Group, PlanRequest
 from robolayout.planners._write import Writer
 from robolayout.scene import Asset, Room, Scene, Wall
@@ -62,7 +63,8 @@ class OfflinePlanner:
     def plan(self, request: PlanRequest) -> str:
         """Return program text for the request: statements and wishes; where things stand is left to the solver."""
         scene, known = request.scene, set(request.placed or ())
-        cast = join_as_asked(cast_scene(scene, self.knowledge), request.asked, passage(scene))
+        cast = seated_in_rows(cast_scene(scene, self.knowledge), request.asked, self.knowledge.roles["audience seat"])
+        cast = join_as_asked(cast, request.asked, passage(scene))
         about = set(request.group.items) if request.group else set(cast)
         writer = Writer(scene, cast, request.asked)
         names = {written: name for name, written in scene.expressions.items()}

@@ -173,11 +173,12 @@ def _wished(wishes: RoomWishes) -> dict[str, int]:
     rows = {head(one.noun.kind) for one in {m.thing for link in formed for m in link.subjects} | wishes.audience}
     if (rows & {"chair", "seat", "pew"} or "seat" in map(head, wished)) and "desk" not in heads:
         heads |= {"desk", "chair"}  # an audience sits before a board, at no desks
-    about = (link for link in links if link.relation in ("with", "around"))
-    at_tables = (link for link in about if any(to.noun.kind.endswith("table") for to in named(link.objects)))
-    sat = (m.thing for link in at_tables for m in link.subjects)
-    if 2 * sum(thing.count for thing in sat if head(thing.noun.kind) == "chair") >= room.people:
-        heads |= {"desk"} if "student desk" in room.person else set()  # the pupils sit at tables
+    about = (link for link in links if link.relation in ("with", "around", "by"))
+    at_tables = (k for k in about if any(to.noun.kind.endswith(("table", "lab bench")) for to in named(k.objects)))
+    sat = [m.thing for link in at_tables for m in link.subjects if m.sat_on]
+    if 2 * sum(thing.count for thing in sat if head(thing.noun.kind) in ("chair", "stool")) >= room.people:
+        at_benches = {"desk", "chair"} if any(head(thing.noun.kind) == "stool" for thing in sat) else {"desk"}
+        heads |= at_benches if "student desk" in room.person else set()  # the pupils sit at tables, or on stools
     seated = "table" in heads if room.tables else heads & LOUNGE
     if seated and not wishes.reading.people and wishes.useless("chair", {**wished, **room.base}):
         heads.add("chair")  # who is here sits elsewhere: on sofas, or on stools at high tables

@@ -311,7 +311,7 @@ class Parser(Relating):
             mention = self._mention(chunk)
             if mention.thing.category.on_object and not held[0].thing.category.on_object:
                 self.said.links.append(Link("on", (mention,), tuple(held), chunk.start, chunk.end))
-        elif self.group and before == "for" and ((several and alone) or strange):
+        elif before == "for" and ((self.group and several and alone) or strange):
             self._fact(replace(chunk, kind="function"))  # "a rack for shoes", "a desk for the therapist"
         else:
             return False

@@ -23,7 +23,8 @@ class References(Spoken):
         """Return the thing that a noun phrase names: one named before, or a new one."""
         assert chunk.noun is not None
         known = self._known(chunk, target=target)
-        if known is not None:
+        had = chunk.plural and not chunk.det and chunk.number is None and self._ahead(-2).kind == "with"
+        if known is not None and not had:  # "four armchairs, two tables with chairs"
             sides = [{"left", "right"} & {*words} for words in (known.adjectives, chunk.adjectives)]
             if known.count == 1 and all(sides) and sides[0] != sides[1]:
                 known.number = 2  # "on the left nightstand ... on the right nightstand"

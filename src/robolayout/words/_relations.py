@@ -278,7 +278,7 @@ class Relating(About):
             if every and (item.det == "a" or told or "own" in thing.adjectives) and thing.times == 1:
                 thing.times = subjects[0].thing.count
             bare = thing.head == "mirror" and thing.number is None and thing.plural
-            if bare and not item.det and chunk.value == "facing" and subjects[0].several:
+            if bare and not item.det and chunk.value in ("facing", "front") and subjects[0].several:
                 thing.number = subjects[0].count
 
     def _refused(self, chunk: Chunk, subjects: Sequence[Mention], objects: Sequence[Item]) -> None:
