@@ -94,6 +94,7 @@ def test_how_much_floor_is_to_stay_free(text: str, metres: float) -> None:
         ("leaving 90 cm to walk", [], 0.9),
         ("The main corridor must be 1.5 m wide.", [], 1.5),
         ("walkways at least 90 cm wide for wheelchair users", [], 0.9),
+        ("a bench so that a 60 cm wide robot can pass", [], 0.6),
     ],
 )
 def test_how_wide_ways_are(text: str, things: list[str], metres: float) -> None:

@@ -43,6 +43,9 @@ def links(text: str) -> set[tuple[str, ...]]:
         ("two columns of six pews and a trio of candles", {"pew": 12, "candle": 3}),
         ("six groups of four desks, a string of lights", {"desk": 24, "light": 2}),
         ("three easels, each holding a vase", {"easel": 3, "vase": 3}),
+        ("a table for six with plates and glasses for everyone", {"table": 1, "plate": 6, "glass": 6}),
+        ("four boxes as obstacles in the middle", {"box": 4}),
+        ("a student desk, four chairs and two tables with chairs", {"student desk": 1, "chair": 6, "table": 2}),
         ("a seating group of two sofas, a shelf with two bottles of detergent", {"sofa": 2, "shelf": 1, "bottle": 2}),
         ("a cabinet in each corner opposite the door and a plant in each corner", {"cabinet": 2, "plant": 4}),
         ("four desks, each with a chair on both sides", {"desk": 4, "chair": 8}),
@@ -190,6 +193,8 @@ def test_counts(text: str, counts: dict[str, int]) -> None:
         ("a shelf with books on the wall", {("on", "shelf", "wall"), ("with", "book", "shelf")}),
         ("a desk, a shelf with books above it", {("above", "shelf", "desk"), ("with", "book", "shelf")}),
         ("a table with a lamp above it", {("above", "lamp", "table")}),
+        ("three parallel shelves with 1.4 m between them", {("rows", "shelf", ""), ("apart", "shelf", "")}),
+        ("four desks in a 2 by 2 block", {("rows", "desk", "")}),
         ("a bench in the middle with a rack along the wall", {("middle", "bench", ""), ("wall", "rack", "wall")}),
     ],
 )  # fmt: skip

@@ -45,12 +45,8 @@ class Parser(Relating):
     def _on_stop(self, chunk: Chunk | None) -> None:
         if self.fronted is not None and self.empty and place_in(self.fronted[1][:1]):
             self._keep_empty(*self.fronted)  # "South wall: nothing."
-        at = [
-            place
-            for place, (start, _) in self.said.openings
-            if start >= self.began and not (self.subject or self.group)
-        ]
-        self.opening = at[0] if len(at) == 1 else None
+        at = [place for place, (start, _) in self.said.openings if start >= self.began]
+        self.opening = at[0] if len(at) == 1 and not (self.subject or self.group) else None
         self.spoken = list({mention.thing: mention for mention in (*self.recent, *self.targets)}.values())
         self.before = self.subject or (self.recent if self.fronted else self.group) or self.before
         self._new_sentence()
@@ -78,10 +74,14 @@ class Parser(Relating):
     def _on_filler(self, chunk: Chunk) -> None:
         following = self._ahead()
         tops = chunk.value == "of" and any(m.thing.head in small.TOPS for m in self.group[-1:])  # "six tables of four"
-        if (chunk.value == "for" or tops) and following.kind == "filler" and (count_of(following.value) or 0) > 1:
-            count = count_of(following.value) or 0  # "a table for six"
-            kind = "seats" if self._promised(count, -2) else "users"
+        count = count_of(following.value) or 0
+        if (chunk.value == "for" or tops) and following.kind == "filler" and count > 1:
+            kind = "seats" if self._promised(count, -2) else "users"  # "a table for six"
             self.said.facts.append(Chunk(kind, chunk.start, following.end, number=count))
+        if chunk.value == "for" and following.value in ("everyone", "everybody"):  # "plates and glasses for everyone"
+            for thing in (one.thing for one in self.group if one.thing.number is None):
+                thing.number, thing.everyones = 1, True
+            self._understood(chunk, following)
         if chunk.value == "all" and self._ahead().kind == "style" and self.recent:
             self.subject, self.verb = list(self.recent), True  # "a sofa and two chairs, all grey"
         if chunk.value == "all" and self._ahead().kind == "rel" and self.recent:  # "two chairs, all on a rug"

@@ -112,7 +112,11 @@ _SAID = {
     "(in an? (?:u|horseshoe|semicircle|half circle)(?: shape| formation)?) open(?:ing)?(?: up)? (?:to|towards?)": "{1} facing",
     "parallel(?= (?:rows|lines|columns) of )": "",
     "(MANY FEW) in parallel(?! (?:to|with) (?!each|one))(?: (?:to|with) (?:each other|one another))?": "{1} in rows",
+    r"(MANY) parallel (\w+) with WIDE between them": "{1} {2} in {1} rows with {3} aisles",
     "(MANY) parallel (FEW)END": "{1} {2} in rows",
+    "so (?:that )?an? WIDE (?:robot|cart|trolley|body) (?:can|could) (?:pass|fit|drive|get|move)"
+    "(?: (?:through|by|past|between))?END": "; {1} path to",
+    "as (?:obstacles|decorations?|seats|storage)(?= (?:in|on|at|near|by|along|and|,|[.])|$)": "",
     r"(; (?:a way|way under|\S+ path) [^.;]*?) and to(?= ONE )": "{1} and",
     r"(; (?:a way|way under|\S+ path) [^.;,]*?) ,(?= ONE (?:[^.;,]+ , ONE )*[^.;,]+ and ONE )": "{1} and",
 }

@@ -35,12 +35,13 @@ _INCHES = r"(?:feet|foot|ft|')[ -]?\d+(?:\.\d+)?\s?(?:inches|inch|in\b|''|\")|'\
 _LENGTHS = rf"{_INCHES}|metres?|meters?|m\b|cm\b|mm\b|centimet(?:re|er)s?|feet|foot|ft\b|inches|inch|['\"]"
 _U = rf"[\s-]*({_LENGTHS}|in\b)?"
 _BY = r"\s*(?:x|\u00d7|by|\*)\s*"
-_SIZE = re.compile(rf"{_N}{_U}{_BY}{_N}{_U}(?:{_BY}{_N}{_U})?(?![\w\u00b2]|\s*grid)", re.IGNORECASE)
+_BLOCK = r"\s*(?:grid|block|formation|arrangement|array|matrix)"
+_SIZE = re.compile(rf"{_N}{_U}{_BY}{_N}{_U}(?:{_BY}{_N}{_U})?(?![\w\u00b2]|{_BLOCK})", re.IGNORECASE)
 _SIDES = re.compile(
     rf"{_N}{_U}\s*(?:long|wide|deep)\s*(?:,|and|x|by)+\s*{_N}{_U}\s*(?:wide|long|deep)\b", re.IGNORECASE
 )
 _GRID = re.compile(
-    rf"{_N}\s*(?:x|\u00d7|by)\s*{_N}\s*grid|{_N}\s+rows?\s+(?:and|of|by|x)\s+{_N}\s+columns?", re.IGNORECASE
+    rf"{_N}\s*(?:x|\u00d7|by)\s*{_N}{_BLOCK}|{_N}\s+rows?\s+(?:and|of|by|x)\s+{_N}\s+columns?", re.IGNORECASE
 )
 _AREA = re.compile(
     rf"{_N}\s*(m2|m\u00b2|sqm|square met(?:re|er)s?|sq\.? ?m|square (?:feet|foot)|sq\.? ?ft|ft\u00b2|ft2)",

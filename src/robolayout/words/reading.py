@@ -209,7 +209,7 @@ def read_text(text: str, lexicon: Lexicon) -> Reading:
         if seats and thing.plural and thing.number is None and thing.head in small.ONE_EACH:
             thing.number = max(seats // thing.times, 1)  # "for ten people, with chairs"
         if thing.everyones:
-            thing.times = max(number, 1)
+            thing.times = max(number or seats, 1)
         bounded(thing.count, thing.noun.words)
     return Reading(
         text=read,
