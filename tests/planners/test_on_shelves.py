@@ -119,3 +119,10 @@ def test_a_named_shelf_is_the_one_that_is_meant() -> None:
     (low, _), *_ = raised(result, "book", "bookshelf")
     assert low == pytest.approx(open_shelves(shelf)[1].height, abs=0.01)
     assert not re.search("book-0", " ".join(result.report.violations))
+
+
+def test_several_kinds_on_one_unit_are_in_nobodys_way() -> None:
+    result = made("A pantry with one shelving unit and eight jars and six bottles on the shelves.")
+    assert result.report.ok, result.report.violations
+    heights = {round(low, 3) for kind in ("jar", "bottle") for low, _ in raised(result, kind, "shelving_unit")}
+    assert len(heights) > 1

@@ -187,12 +187,13 @@ def bearing(asset: Asset, sizes: Sequence[Size], *, shelves: bool) -> Size:
     Seats, what is about as deep as wide and what would have to be far wider stay as they are.
     """
     (depth, width, height), tops = asset.size, outer_surfaces(asset)
+    for shelf in sorted(open_shelves(asset) * shelves, key=lambda surface: -surface.region.area)[:1]:
+        x0, y0, x1, y1 = shelf.rectangle
+        lacks = max(deep for deep, *_ in sizes) + SURFACES.apart - (x1 - x0)
+        if max(wide for _, wide, _ in sizes) <= y1 - y0:
+            return (round(depth + lacks, 3), width, height) if 0.0 < lacks <= SURFACES.deepens else asset.size
     if not tops:  # a board with hooks
         return asset.size
-    x0, y0, x1, y1 = max(open_shelves(asset) * shelves or tops, key=lambda surface: surface.region.area).rectangle
-    if shelves and open_shelves(asset) and max(wide for _, wide, _ in sizes) <= y1 - y0:
-        lacks = max(deep for deep, *_ in sizes) + SURFACES.apart - (x1 - x0)
-        return (round(depth + lacks, 3), width, height) if 0.0 < lacks <= SURFACES.deepens else asset.size
     x0, y0, x1, y1 = max(tops, key=lambda surface: surface.region.area).rectangle
     sides = [sorted(side + SURFACES.apart for side in size[:2]) for size in sizes]
     taken = sum(map(math.prod, sides)) / ((x1 - x0) * (y1 - y0))

@@ -31,7 +31,7 @@ class Costs:
     inexact: float = 30.0  # cost of a place where something touches, by the exact check
     shut: float = 18.0  # cost of a place where a door or drawer does not open
     spread: int = (
-        12  # places of a circle, or of a block for which none of the best will do, that are tried all over the room
+        12  # places that are tried all over the room: of a circle, of a block that has no good one among the best
     )
     checked: int = 300  # best places that are checked exactly before one is taken
     trials: int = 8  # places for which it is found out what they cut off

@@ -15,9 +15,12 @@ from robolayout.assets.surfaces import slots
 from robolayout.constraints import AssetRef
 from robolayout.constraints.around import Around, Slot, left_gap
 from robolayout.scene import Scene
-from robolayout.solve.build.member import Member, box_of
+from robolayout.solve.build.member import Member, Size, box_of
 from robolayout.solve.build.tops import Top
 from robolayout.solve.build.wants import Want
+
+LEVEL = 1e-6
+"""Metres by which heights of one place differ at the most."""
 
 
 @dataclass(frozen=True)
@@ -161,7 +164,7 @@ class ClusterBuilder:
     def _on(self, anchor: Want, items: Sequence[Want], placed: Sequence[Member]) -> list[Member]:
         """On the anchor's tops: place settings before its seats, the rest where its kind belongs; what one cannot hold on the next."""
         sizes, found = {name: item.asset.size for name, item in self.wants.items()}, list[Member]()
-        for place, share in _dealt(anchor, items):
+        for place, share in _dealt(anchor, items, [(member.bottom, sizes[member.name]) for member in placed[1:]]):
             x0, y0, x1, y1 = place.rectangle
             middle = ((x0 + x1) / 2, (y0 + y1) / 2)
             there = [replace(member, x=member.x - middle[0], y=member.y - middle[1]) for member in placed[1:]]
@@ -172,12 +175,18 @@ class ClusterBuilder:
         return found
 
 
-def _dealt(anchor: Want, items: Sequence[Want]) -> Iterator[tuple[Surface, Sequence[Want]]]:
-    """Yield the places of a thing with those of some like things that are put there: as many as stand on each side by side."""
+def _dealt(
+    anchor: Want, items: Sequence[Want], there: Sequence[tuple[float, Size]]
+) -> Iterator[tuple[Surface, Sequence[Want]]]:
+    """Yield the places of a thing with those of some like things that are put there: as many as stand on each side by side.
+
+    Of what is `there` already the height of its bottom and its size are known.
+    """
     *tops, last = items[0].joined.tops or (resting_place(anchor.asset, items[0].asset),)
     largest = max((item.asset.size for item in items), key=lambda size: size[0] * size[1])
     for top in tops:
-        count = slots(top, largest)
+        taken = sum(1 / max(slots(top, size), 1) for bottom, size in there if abs(bottom - top.height) < LEVEL)
+        count = int(slots(top, largest) * (1.0 - taken) + LEVEL) if taken < 1.0 else 0
         if items[:count]:
             yield top, items[:count]
         items = items[count:]
