@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Collection
 from dataclasses import dataclass
 
@@ -62,14 +63,19 @@ def region_outcome(
     """Return how much of a region in its owner's frame, between two heights of the room, is taken by the worst thing."""
     pose = layout[owner.name]
     strip = translate(rotate(region, pose.yaw, origin=(0, 0), use_radians=True), pose.x, pose.y)
+    x0, y0, x1, y1 = strip.bounds
+    middle, reach = ((x0 + x1) / 2, (y0 + y1) / 2), math.hypot(x1 - x0, y1 - y0) / 2
     low, high = heights
     taken, culprit = 0.0, ""
     for asset in scene.assets:
         if asset.name == owner.name or asset.is_flat or asset.name not in layout or asset.name in exempt:
             continue
         bottom, top = vertical_span(asset, layout[asset.name])
+        far = math.dist(middle, layout[asset.name].at) > reach + math.hypot(*asset.size[:2]) / 2
+        if far or bottom >= high or top <= low:
+            continue
         area = common_area(strip, footprint(scene, layout, AssetRef(asset.name)))
-        if area > taken and bottom < high and top > low:
+        if area > taken:
             taken, culprit = area, asset.name
     text = f"{taken:.2f} m2 of {culprit} in the strip" if taken > TOLERANCE.strip else "free"
     return Outcome.at_most(TOLERANCE.strip, taken, "m2", text)
