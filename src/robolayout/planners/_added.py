@@ -118,7 +118,11 @@ class Added:
             link.objects for link in links if link.relation == "around" and any(one.sat_on for one in link.subjects)
         ]
         low = {wishes.kind(to.thing) for seen in seated for to in mentions(seen)} & {*LOW}
-        lounge = any(m.several and head(m.thing.noun.kind) == "armchair" for m, seen in pairs if seen) and watched
+        turned = {
+            m for k in wishes.reading.parsed.links if k.relation in ("facing", "diagonal") for m in named(k.subjects)
+        }
+        lone = (m for m, seen in pairs if seen and m.several and m.thing in turned)
+        lounge = any(head(m.thing.noun.kind) == "armchair" for m in lone) and watched
         if "sofa" not in self.asked and (low or wishes.rings(on)):
             faced |= {"sofa", *wishes.roles["sofa"].face.roles}  # all sit around a coffee table, or on a rug
         faced |= {"sofa"} if "sofa" not in self.asked and lounge else set()  # in the armchairs that look at something
