@@ -386,6 +386,8 @@ def test_seats_stand_around_a_round_table_on_a_circle(count: int) -> None:
         ([(1.0, 1.0, math.pi), (1.0, 2.4, math.pi), (1.63, 1.0, 0.0), (1.63, 2.4, 0.0)], {"backs": "paired"}, True),
         ([(1.0, 1.0, math.pi), (1.0, 2.4, math.pi), (1.63, 1.0, 0.0), (1.63, 2.4, 0.0)], {"aisle": 0.5}, False),
         ([(1.0, 1.0, 0.0), (1.0, 2.4, 0.0), (1.63, 1.0, math.pi), (1.63, 2.4, math.pi)], {"backs": "facing"}, False),
+        ([(1.0, 1.0, 0.0), (1.0, 2.4, 0.0), (3.0, 1.0, 0.0), (3.0, 2.4, 0.0)], {"aisle": 1.0, "widest": 1.45}, True),
+        ([(1.0, 1.0, 0.0), (1.0, 2.4, 0.0), (3.0, 1.0, 0.0), (3.0, 2.4, 0.0)], {"aisle": 1.0, "widest": 1.3}, False),
     ],
 )
 def test_rows_are_as_far_apart_as_asked_but_for_those_back_to_back(

@@ -10,7 +10,9 @@ import pytest
 from robolayout._grid import components
 from robolayout.floor import RoomContents, make_ground, plan_routes
 from robolayout.floor.cells import cells_of, entered, entries
-from robolayout.scene import Agent, Asset, Opening, Room, Scene
+from robolayout.floor.furnished import Floor
+from robolayout.floor.standing import standing
+from robolayout.scene import Agent, Asset, Opening, Room, Scene, load_agent
 
 DOORS = (Opening(0, 0.6, 0.9, 2.05), Opening(2, 0.6, 0.9, 2.05))
 ROOM = Room(((0, 0), (5, 0), (5, 4), (0, 4)), 2.5, doors=DOORS)
@@ -73,3 +75,11 @@ def test_without_a_door_bodies_start_where_there_is_most_room() -> None:
     assert ground.wall_distance[ground.start] == ground.wall_distance.max()
     nowhere = ground_of(ROOM, Agent("giant", radius=2.5, height=2.0))
     assert nowhere.start is None and not plan_routes(nowhere, np.array([[4.0, 2.0, 1.0, 0.0]])).blocked
+
+
+@pytest.mark.parametrize("name", ["turtlebot4", "wheelchair", "forklift"])
+def test_every_body_gets_into_an_empty_hall(name: str) -> None:
+    """A forklift cannot stand in a landing of 0.9 m: it was thought cut off from every room."""
+    hall = Room(((0, 0), (16, 0), (16, 12), (0, 12)), 4.0, doors=(Opening(0, 0.3, 3.0, 2.3),))
+    body = load_agent(name)
+    assert standing(Floor.of(hall, 1.0, body.radius), body).cut_off == 0.0

@@ -146,3 +146,24 @@ def test_what_stands_in_parallel_is_beside_its_like_and_not_end_to_end(text: str
 
 def test_two_parallel_rows_are_two_rows() -> None:
     assert len(of(made("an office with two parallel rows of four desks"), "desk")) == 8
+
+
+def test_rows_across_a_told_aisle_stand_across_it_and_not_across_the_room() -> None:
+    result = made("A server room with two rows of four racks facing each other across a cold aisle of 1.2 m.")
+    racks = of(result, "server_rack")
+    depth = result.scene.by_name[racks[0]].size[0]
+    ahead = [result.layout[racks[0]].seen(result.layout[name].at)[0] - depth for name in racks[4:]]
+    assert result.report.ok and all(1.19 < gap < 1.51 for gap in ahead)
+
+
+def test_recliners_in_rows_watch_the_screen_of_their_room() -> None:
+    result = made("A home theater with two rows of three recliners and a big screen on the front wall.")
+    (screen,) = of(result, "screen")
+    for name in of(result, "recliner"):
+        ahead, left = result.layout[name].seen(result.layout[screen].at)
+        assert ahead > abs(left), name
+
+
+def test_seats_on_both_sides_of_a_row_can_be_got_to() -> None:
+    result = made("A nail salon with four manicure tables in a row, each with two chairs facing each other.")
+    assert result.report.ok, result.report.violations
