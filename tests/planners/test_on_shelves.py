@@ -41,6 +41,7 @@ def raised(result: Result, kind: str, bearer: str) -> list[tuple[float, float]]:
         ("A sewing room with a sewing machine on a table and a shelf with six boxes.", "storage_box", "shelving_unit"),
         ("A craft room with a shelf with three baskets.", "basket", "shelving_unit"),
         ("A bedroom with three books in the bookshelf.", "book", "bookshelf"),
+        ("A hallway with a shoe rack with four pairs of shoes and a bench.", "shoes", "shoe_rack"),
     ],
 )
 def test_what_is_on_shelves_stands_below_their_top(text: str, kind: str, bearer: str) -> None:
@@ -70,6 +71,10 @@ def test_one_of_many_shelves_is_emptied_and_all_stay_alike() -> None:
     shelves = [one for one in scene.assets if one.category == "shop shelf"]
     assert [bool(one.without) for one in shelves] == [True] + 5 * [False]
     assert len({one.size for one in shelves}) == 1
+    scene, _ = scene_from_sentence(
+        "A garage with two shelves with paint cans, a workbench and a third shelf with books."
+    )
+    assert [bool(one.without) for one in scene.assets if one.category == "shelving unit"] == 3 * [True]
 
 
 def test_a_shelf_is_as_deep_and_a_top_as_wide_as_it_takes() -> None:

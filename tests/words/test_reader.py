@@ -84,6 +84,7 @@ def links(text: str) -> set[tuple[str, ...]]:
         ("two floor lamps, one in each corner", {"floor lamp": 2}),
         ("a pool table at least 1.5 m from every wall", {"pool table": 1}),
         ("a rack for shoes by the door", {"shelving unit": 1}),
+        ("four pairs of shoes on a rack, two pairs of armchairs", {"shoes": 4, "shelving unit": 1, "armchair": 4}),
         ("three chairs in a semicircle", {"chair": 3}),
         ("two people watch films on a sofa", {"sofa": 1}),
         ("a watch on the desk", {"jewelry box": 1, "desk": 1}),

@@ -26,7 +26,7 @@ from robolayout.planners._openings import with_openings
 from robolayout.planners._room_size import SIZES, possible, room_size
 from robolayout.planners._wishes import LOW, RoomWishes, Size, head, read_wishes
 from robolayout.scene import DEFAULT_AGENT, Agent, Asset, Room, Scene, load_agent, scene_from_dict, variable_name
-from robolayout.words import COUNTERS, SHAPES, dressing, mentions, named, place_in, visits
+from robolayout.words import COUNTERS, SHAPES, NamedThing, dressing, mentions, named, place_in, visits
 
 LOUNGE = {*DATA["nouns"]["lounge"]}
 ON_A_SOFA, AT_ONE_SOFA = 3, 5
@@ -136,7 +136,7 @@ def _in_a_corridor(body: Agent, wide: float) -> Agent:
 def _bearing(scene: Scene, wishes: RoomWishes) -> Scene:
     """Return a scene in which that on which words put something has room for it: nothing drawn in its way, and wide enough."""
     laid: dict[str, list[Size]] = {}
-    shelves = Counter[str]()  # of how many of a kind
+    held: dict[str, dict[NamedThing, int]] = {}  # of how many of a kind the shelves
     for link in (link for link in wishes.reading.parsed.links if link.relation in ("on", "in", "with", "stacked")):
         piled = link.relation == "stacked"  # each bears the next
         for one, bearer in product(link.subjects, mentions(link.subjects if piled else link.objects)):
@@ -144,7 +144,9 @@ def _bearing(scene: Scene, wishes: RoomWishes) -> Scene:
             if piled or kind.on_object:
                 each = 1 if piled else math.ceil(one.count / max(bearer.count, 1))
                 laid.setdefault(other.name, []).extend([kind.size] * each)
-                shelves[other.name] = max(shelves[other.name], min(bearer.count, one.count) * link.shelves)
+                many = held.setdefault(other.name, {})
+                many[bearer.thing] = max(many.get(bearer.thing, 0), min(bearer.count, one.count) * link.shelves)
+    shelves = Counter({name: sum(many.values()) for name, many in held.items()})
     grown, assets = dict[str, list[float]](), list[Asset]()  # by how much; like things stay alike
     for asset in scene.assets:
         sizes, within = laid.get(asset.category, []), shelves[asset.category] > 0

@@ -171,7 +171,8 @@ class ClosedWords:
         if each and word.endswith("s") and word.removesuffix("s") in small.GROUPS:
             return ("", 2 * each, "vague", -each, 3)  # "clusters of four desks"
         if word.removesuffix("s") in small.SETS and not (word == "wall" and rest[1:2] and rest[1] in small.DETERMINERS):
-            twos = 2 * (number or 1) if word.startswith(("pair", "couple")) else None
+            of_one = rest[1:2] and rest[1].removesuffix("s") in small.PAIRED  # "two pairs of shoes"
+            twos = (number or 1) * (1 if of_one else 2) if word.startswith(("pair", "couple")) else None
             return ("", twos, "", SOME if word == "rows" and number is None else 0, 2)
         if word in ("both", "all"):
             return ("all", None, "", 0, 2)
