@@ -131,3 +131,29 @@ def test_several_kinds_on_one_unit_are_in_nobodys_way() -> None:
     assert result.report.ok, result.report.violations
     heights = {round(low, 3) for kind in ("jar", "bottle") for low, _ in raised(result, kind, "shelving_unit")}
     assert len(heights) > 1
+
+
+@pytest.mark.parametrize(
+    ("text", "kind", "which"),
+    [
+        ("A bedroom with a bookshelf and three books on the bottom shelf of the bookshelf.", "book", 0),
+        ("A study with a bookshelf. A globe stands on its second shelf.", "globe", 1),
+        ("A bedroom with a bookshelf with a vase on the top shelf.", "vase", -1),
+    ],
+)
+def test_the_shelf_that_is_said_is_the_one_that_is_taken(text: str, kind: str, which: int) -> None:
+    """Things too tall for the shelf, a vase or globe, are ones that stand there."""
+    result = made(text)
+    assert result.report.ok, result.report.violations
+    (name,) = of(result, "bookshelf")
+    level = open_shelves(result.scene.by_name[name])[which].height
+    assert [low for low, _ in raised(result, kind, "bookshelf")] == pytest.approx(
+        [level] * len(of(result, kind)), abs=0.01
+    )
+    assert result.scene.by_name[name].without, "the shelf is emptied for what stands there"
+
+
+def test_one_of_several_shelves_is_not_a_level() -> None:
+    wishes = read_words(scene_from_sentence("A bathroom with three wall shelves, a plant on the top shelf.")[0])
+    stated = [str(relation) for demand in wishes.demands for way in demand.ways for relation in way]
+    assert any("potted_plant-0" in one and "wall_shelf-2" in one and "inside" not in one.lower() for one in stated)

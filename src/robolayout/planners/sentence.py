@@ -19,7 +19,7 @@ from robolayout._reading import whole
 from robolayout.assets import CATALOGUE, Category, own_assets, own_kinds
 from robolayout.assets.catalogue import Entry
 from robolayout.assets.palette import PALETTES
-from robolayout.assets.surfaces import bearing, emptied
+from robolayout.assets.surfaces import bearing, emptied, open_shelves
 from robolayout.planners._added import COMFORT, LARGER, SEATS, SPARE, Added, both
 from robolayout.planners._knowledge import DATA, load_knowledge
 from robolayout.planners._openings import with_openings
@@ -30,6 +30,8 @@ from robolayout.words import COUNTERS, SHAPES, NamedThing, dressing, mentions, n
 
 LOUNGE = {*DATA["nouns"]["lounge"]}
 ON_A_SOFA, AT_ONE_SOFA = 3, 5
+LOW_ENOUGH, LEAST_SHARE = 0.95, 0.6
+"""How much of the height of a shelf what goes there takes at the most, and by how much it is made smaller at the most for that."""
 """People on a sofa, and with the armchairs that go with it."""
 
 
@@ -137,6 +139,7 @@ def _bearing(scene: Scene, wishes: RoomWishes) -> Scene:
     """Return a scene in which that on which words put something has room for it: nothing drawn in its way, and wide enough."""
     laid: dict[str, list[Size]] = {}
     held: dict[str, dict[NamedThing, int]] = {}  # of how many of a kind the shelves
+    onto: dict[str, str] = {}  # of which kind the shelves are onto which a kind is put
     for link in (link for link in wishes.reading.parsed.links if link.relation in ("on", "in", "with", "stacked")):
         piled = link.relation == "stacked"  # each bears the next
         for one, bearer in product(link.subjects, mentions(link.subjects if piled else link.objects)):
@@ -146,6 +149,7 @@ def _bearing(scene: Scene, wishes: RoomWishes) -> Scene:
                 laid.setdefault(other.name, []).extend([kind.size] * each)
                 many = held.setdefault(other.name, {})
                 many[bearer.thing] = max(many.get(bearer.thing, 0), min(bearer.count, one.count) * link.shelves)
+                onto |= {kind.name: other.name} if link.shelves else {}
     shelves = Counter({name: sum(many.values()) for name, many in held.items()})
     grown, assets = dict[str, list[float]](), list[Asset]()  # by how much; like things stay alike
     for asset in scene.assets:
@@ -158,6 +162,16 @@ def _bearing(scene: Scene, wishes: RoomWishes) -> Scene:
             bare = replace(bare, size=(d, w, h))
         shelves[asset.category] -= 1
         assets.append(bare)
+    free = {one.category: max((s.free for s in open_shelves(one)), default=math.inf) for one in assets}
+    for i, asset in enumerate(assets):  # a vase on a shelf is one that stands there
+        by = LOW_ENOUGH * free.get(onto.get(asset.category, ""), math.inf) / asset.size[2]
+        if (
+            LEAST_SHARE < by < 1.0
+            and asset.path is None
+            and not any(thing.sizes for thing in wishes.told(asset.category))
+        ):
+            d, w, h = (round(side * by, 3) for side in asset.size)
+            assets[i] = replace(asset, size=(d, w, h))
     return replace(scene, assets=tuple(assets))
 
 

@@ -7,7 +7,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
 
-from robolayout.words._function_words import DETERMINERS, LATTER, REST
+from robolayout.words._function_words import DETERMINERS, LATTER, LEVELS, REST
 from robolayout.words._lexicon import Noun, grammar
 from robolayout.words._tokens import Measure, count_of
 
@@ -48,6 +48,21 @@ class Chunk:
     measure: Measure | None = None  # A measure of the room
     sizes: tuple[Measure, ...] = ()  # measures of the thing
     total: int | None = None  # of how many these are some: "two of the three stools"
+
+    @property
+    def level(self) -> int:
+        """Which shelf of a thing is meant, from below, or -1 for the highest one; 0 for none or any."""
+        of_shelf = "shelf" in self.adjectives or (self.noun is not None and self.noun.said == "shelf")
+        return next((LEVELS[word] for word in self.adjectives if of_shelf and word in LEVELS), 0)
+
+    @property
+    def sided(self) -> str:
+        """At which sides of a table seats are: "four chairs on each long side", "one at each end", "a bench on one long side"."""
+        words = {*self.adjectives}
+        each = not words.isdisjoint(("each", "either", "both", "opposite", "opposing", "sides", "ends"))
+        if not (self.value == "oneside" or (self.value == "around" and each)) or "all" in words:
+            return ""
+        return "end" if {"end", "ends", "short", "head"} & words else "long" if "long" in words else "each" * each
 
 
 NOTHING = Chunk("", 0, 0)

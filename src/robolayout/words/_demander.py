@@ -31,7 +31,7 @@ class Demander(AtSides):
         # of these only the first stands where they are put
         self.stacked = {thing for link in links if link.relation == "stacked" for thing in named(link.subjects)}
         asked = [(link, self._asked(link)) for link in links]
-        self.shelved = frozenset(shelved(scene.by_name, asked))
+        self.shelved = dict(shelved(scene.by_name, asked))
         self.parted = parted(asked)
         self.cornered = frozenset(a for _, it in asked if it.place and it.place.name == "corner" for a in it.subjects)
         self.askew = {name for link, it in asked if link.relation == "diagonal" for name in it.subjects}
@@ -158,8 +158,9 @@ class Demander(AtSides):
         if self._asset(b).is_flat:
             return single(stated("under", AssetRef(b), (AssetRef(a),)))
         hung = self._asset(a).on_wall and not self._asset(a).on_object
-        how = "above" if hung else "inside" if (a, b) in self.shelved else "on_top_of"
-        return single(stated(how, AssetRef(a), AssetRef(b)))
+        if (shelf := self.shelved.get((a, b))) is not None:
+            return single(stated("inside", AssetRef(a), AssetRef(b), shelf))
+        return single(stated("above" if hung else "on_top_of", AssetRef(a), AssetRef(b)))
 
     def _in_each(self, a: str, b: str) -> Demand:
         """A thing rests on another; what stands on the floor stands flush beside a counter that it is in: a sink in an island."""

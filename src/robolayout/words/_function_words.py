@@ -12,6 +12,7 @@ ORDINALS = ("first", "second", "third", "last")
 HIGH, LATTER, LEAST_SAID = (tuple[str, ...](_DATA["rows"][name]) for name in ("high", "latter", "least_said"))
 BORN = {"couple": 2, "twins": 2, "triplets": 3}
 SHARES: dict[str, float] = _DATA["shares"]
+LEVELS: dict[str, int] = _DATA["rows"]["levels"]
 OF_ROOMS: dict[str, dict[str, str]] = _DATA["of_rooms"]
 AREAS: dict[str, dict[str, int]] = {name: area["has"] for name, area in _DATA["areas"].items()}
 DONE_THERE = {word: name for name, area in _DATA["areas"].items() for word in (name, *area.get("words", ()))}

@@ -392,7 +392,9 @@ class References(Spoken):
             self.said.read.update(range(row.start, row.end))
         told = (*about, chunk.start, chunk.end, (low, high), chunk.rows)
         topmost = not {"top", "atop"}.isdisjoint(chunk.adjectives)
-        self.said.links.append(Link(chunk.value, *told, _sided(chunk), topmost))
+        alone = chunk.value == "on" and [bearer.count for bearer in named(objects)] == [1]
+        level = chunk.level or self._ahead(-1).level * alone  # "on the bottom shelf" of the one unit that was named
+        self.said.links.append(Link("in" if level else chunk.value, *told, chunk.sided, topmost, level))
         if self.gap is not None and chunk.value in ("above", "under"):
             self.said.missed.append(self.gap)  # heights are not told
             self.gap = None
@@ -433,15 +435,6 @@ class References(Spoken):
         else:
             meant = part or chunk.value != "by"
         return meant and (kinds[2:] or ["stop"])[0] in ends
-
-
-def _sided(chunk: Chunk) -> str:
-    """Return at which sides of a table seats are: "four chairs on each long side", "one at each end", "a bench on one long side"."""
-    words = {*chunk.adjectives}
-    each = not words.isdisjoint(("each", "either", "both", "opposite", "opposing", "sides", "ends"))
-    if not (chunk.value == "oneside" or (chunk.value == "around" and each)) or "all" in words:
-        return ""
-    return "end" if {"end", "ends", "short", "head"} & words else "long" if "long" in words else "each" * each
 
 
 def _over_or_under(relation: str, item: Item) -> bool:

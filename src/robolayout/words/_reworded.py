@@ -52,6 +52,8 @@ _SAID = {
     "under (?:the|a) (?:slop(?:ed|ing)|slant(?:ed|ing)|pitched) (?:ceiling|roof|wall)": "( unreadable )",
     "(in an? (?:u|horseshoe)(?: shape)?) ,(?: and)? ((?:the|a) FEW) (?:in|at) the opening(?: of the (?:u|horseshoe))?": "{1} facing {2}",
     "at (?:its|the) (left|right) end(?! of)": "to the {1} of it",
+    "on its (bottom|lowest|lower|second|third|fourth|top|upper|highest) shelf": "on the {1} shelf of it",
+    "on the top shelf": "on the highest shelf",
     "at (?:the|its) (left|right) end of": "to the {1} of",
     r"(speakers?|guitars?|violins?|cellos?|(?:mountain |road )?bikes?|bicycles?) on (?:an? |their |its )?(?:\w+ )?stands?(?! lamp)": "{1}",
     "(each|every) wall (?:except|but|apart from)(?: for| on)? (?:the )?(?:one|wall) with (?:the|a) (?:door|window)s?": (

@@ -219,6 +219,7 @@ class Link:
     rows: int = 0  # rows or columns that are said, 0 if none are
     sided: str = ""  # at which sides of a table seats are in equal shares: "each", "long" or "end", if that is said
     topmost: bool = False  # whether it is said of the top of a thing, not of its shelves
+    level: int = 0  # which of its shelves that is, from below, or -1 for the highest one; 0 for any
 
     @property
     def shelves(self) -> bool:
