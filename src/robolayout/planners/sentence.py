@@ -162,17 +162,20 @@ def _bearing(scene: Scene, wishes: RoomWishes) -> Scene:
             bare = replace(bare, size=(d, w, h))
         shelves[asset.category] -= 1
         assets.append(bare)
-    free = {one.category: max((s.free for s in open_shelves(one)), default=math.inf) for one in assets}
-    for i, asset in enumerate(assets):  # a vase on a shelf is one that stands there
+    return replace(scene, assets=tuple(_low_enough(assets, onto, wishes)))
+
+
+def _low_enough(assets: Sequence[Asset], onto: Mapping[str, str], wishes: RoomWishes) -> Iterator[Asset]:
+    """Yield things, of which those that go onto the shelves of a kind are low enough for these: a vase there is one that fits."""
+    free = dict[str, float]()
+    for asset in assets:
+        for shelf in open_shelves(asset) if asset.category in onto.values() else ():
+            free[asset.category] = max(free.get(asset.category, 0.0), shelf.free)
+    for asset in assets:
         by = LOW_ENOUGH * free.get(onto.get(asset.category, ""), math.inf) / asset.size[2]
-        if (
-            LEAST_SHARE < by < 1.0
-            and asset.path is None
-            and not any(thing.sizes for thing in wishes.told(asset.category))
-        ):
-            d, w, h = (round(side * by, 3) for side in asset.size)
-            assets[i] = replace(asset, size=(d, w, h))
-    return replace(scene, assets=tuple(assets))
+        told = asset.path is not None or any(thing.sizes for thing in wishes.told(asset.category))
+        d, w, h = (round(side * by, 3) for side in asset.size) if LEAST_SHARE < by < 1.0 and not told else asset.size
+        yield replace(asset, size=(d, w, h))
 
 
 def _wished(wishes: RoomWishes) -> dict[str, int]:
