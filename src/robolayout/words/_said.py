@@ -224,8 +224,10 @@ class Link:
     @property
     def shelves(self) -> bool:
         """Whether what it puts somewhere goes onto the shelves there: into a thing, or on what is called a shelf."""
-        shelf = all(bearer.noun.said.split()[-1] in small.SHELVES for bearer in named(self.objects))
-        return self.relation == "in" or (self.relation in ("on", "with") and shelf and not self.topmost)
+        bearers = named(self.objects)
+        shelf = all(bearer.noun.said.split()[-1] in small.SHELVES for bearer in bearers)
+        within = self.relation == "in" and all(bearer.head not in small.SEATS for bearer in bearers)
+        return within or (self.relation in ("on", "with") and shelf and not self.topmost)
 
     def had(self, own: Set[NamedThing], to: Set[NamedThing] | None) -> bool:
         """Return whether it only says that one of some things has a thing (any, for None)."""
