@@ -42,6 +42,7 @@ def raised(result: Result, kind: str, bearer: str) -> list[tuple[float, float]]:
         ("A craft room with a shelf with three baskets.", "basket", "shelving_unit"),
         ("A bedroom with three books in the bookshelf.", "book", "bookshelf"),
         ("A hallway with a shoe rack with four pairs of shoes and a bench.", "shoes", "shoe_rack"),
+        ("A living room with a bookshelf with three vases on its shelves.", "vase", "bookshelf"),
     ],
 )
 def test_what_is_on_shelves_stands_below_their_top(text: str, kind: str, bearer: str) -> None:

@@ -54,6 +54,7 @@ _SAID = {
     "at (?:its|the) (left|right) end(?! of)": "to the {1} of it",
     "on its (bottom|lowest|lower|second|third|fourth|top|upper|highest) shelf": "on the {1} shelf of it",
     "on the top shelf": "on the highest shelf",
+    "on its shelves": "on the shelves of it",
     "at (?:the|its) (left|right) end of": "to the {1} of",
     r"(speakers?|guitars?|violins?|cellos?|(?:mountain |road )?bikes?|bicycles?) on (?:an? |their |its )?(?:\w+ )?stands?(?! lamp)": "{1}",
     "(each|every) wall (?:except|but|apart from)(?: for| on)? (?:the )?(?:one|wall) with (?:the|a) (?:door|window)s?": (
