@@ -140,6 +140,7 @@ def test_several_kinds_on_one_unit_are_in_nobodys_way() -> None:
         ("A bedroom with a bookshelf and three books on the bottom shelf of the bookshelf.", "book", 0),
         ("A study with a bookshelf. A globe stands on its second shelf.", "globe", 1),
         ("A bedroom with a bookshelf with a vase on the top shelf.", "vase", -1),
+        ("A home office with a bookshelf with a plant on the top shelf, and an armchair.", "potted_plant", -1),
     ],
 )
 def test_the_shelf_that_is_said_is_the_one_that_is_taken(text: str, kind: str, which: int) -> None:
@@ -152,6 +153,12 @@ def test_the_shelf_that_is_said_is_the_one_that_is_taken(text: str, kind: str, w
         [level] * len(of(result, kind)), abs=0.01
     )
     assert result.scene.by_name[name].without, "the shelf is emptied for what stands there"
+
+
+def test_compartments_side_by_side_are_one_shelf() -> None:
+    scene, _ = scene_from_sentence("A children's room with a toy shelf with two balls on the bottom shelf.")
+    stated = [relation for demand in read_words(scene).demands for way in demand.ways for relation in way]
+    assert [relation.surface for relation in stated if relation.name == "inside"] == ["shelf 1", "shelf 2"]
 
 
 def test_one_of_several_shelves_is_not_a_level() -> None:

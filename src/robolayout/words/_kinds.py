@@ -173,7 +173,7 @@ def _where(link: Link) -> str:
     bearer = to.thing
     if link.relation == "above":
         return "ceiling" if bearer.head in (*small.TOPS, "chair", "island") else "wall"
-    if link.relation == "on":
+    if link.relation == "on" or link.level:
         return "floor" if bearer.category.size[2] < FLAT_HEIGHT else "object"
     if link.relation == "with" and bearer.head in (*small.BEARING, "stand"):
         return "object"

@@ -22,12 +22,24 @@ def shelved(assets: Mapping[str, Asset], asked: Iterable[tuple[Link, Asked]]) ->
     for (b, level), names in held.items():
         shelves = _meant(open_shelves(assets[b]), level)
         room = [sum(slots(shelf, assets[a].size) for shelf in shelves) for a in names]
-        if (level and shelves) or (all(room) and sum(1 / many for many in room) <= 1.0):
-            yield from (((a, b), shelves[0].name if level else "") for a in names)
+        if level and shelves:
+            yield from (((a, b), shelf) for a, shelf in _dealt([assets[a] for a in names], shelves))
+        elif all(room) and sum(1 / many for many in room) <= 1.0:
+            yield from (((a, b), "") for a in names)
 
 
 def _meant(shelves: tuple[Surface, ...], level: int) -> tuple[Surface, ...]:
-    """Return the shelf of a level, counted from below or -1 for the highest one; all for 0."""
-    if not level:
-        return shelves
-    return shelves[-1:] if level < 0 else shelves[level - 1 : level]
+    """Return the shelves, side by side, of a level that is counted from below, or -1 for the highest one; all for 0."""
+    heights = sorted({round(shelf.height, 3) for shelf in shelves})
+    meant = heights[-1:] if level < 0 else heights[level - 1 : level]
+    return tuple(shelf for shelf in shelves if not level or round(shelf.height, 3) in meant)
+
+
+def _dealt(things: Iterable[Asset], shelves: tuple[Surface, ...]) -> Iterator[tuple[str, str]]:
+    """Yield things by name with the name of the shelf that each gets: the first one with room, else the first one of all."""
+    taken = dict.fromkeys(shelves, 0.0)
+    for thing in things:
+        shares = {shelf: 1 / max(slots(shelf, thing.size), 0.1) for shelf in shelves}
+        shelf = next((one for one in shelves if taken[one] + shares[one] <= 1.0), shelves[0])
+        taken[shelf] += shares[shelf]
+        yield thing.name, shelf.name
