@@ -84,13 +84,12 @@ def _blocks(wishes: RoomWishes) -> Iterator[tuple[float, float]]:
             own = named(line)  # and what is between them
             amid = {m for k in links if k.relation == "amid" and own & named(k.objects) for m in k.subjects}
             parted = sum(m.count * (min(wishes.kinds[wishes.kind(m.thing)].size[:2]) + SIZES.parted) for m in amid)
-            told_gaps = (
-                k.metres[0] for k in links if k.relation == "apart" and not k.objects and named(k.subjects) == own
-            )
-            parted += max(told_gaps, default=0.0) * (sum(count for count, *_ in sizes) - 1)
+            told_gaps = (k for k in links if k.relation == "apart" and not k.objects and named(k.subjects) == own)
+            many = sum(count for count, *_ in sizes)
+            parted += max((k.metres[0] for k in told_gaps), default=0.0) * (many - 1)
             wide = sum(count * width for count, _, width, _ in sizes) + parted + SIZES.around
             seated = sum(m.count for k in links if own & named(k.objects) for m in k.subjects if m.sat_on)
-            wide += SIZES.walkway * (seated >= 2 * sum(count for count, *_ in sizes))  # to who sits on its other side
+            wide += SIZES.walkway * (seated >= 2 * many)  # to who sits on its other side
             tall = max(height for *_, height in sizes) > SIZES.low
             yield wide, wide if tall else 0.0  # tall things need a wall without a window
         grouped = link.relation == "groups" and link.rows > 2

@@ -30,9 +30,10 @@ from robolayout.words import COUNTERS, SHAPES, NamedThing, dressing, mentions, n
 
 LOUNGE = {*DATA["nouns"]["lounge"]}
 ON_A_SOFA, AT_ONE_SOFA = 3, 5
+"""People on a sofa, and with the armchairs that go with it."""
+
 LOW_ENOUGH, LEAST_SHARE = 0.95, 0.6
 """How much of the height of a shelf what goes there takes at the most, and by how much it is made smaller at the most for that."""
-"""People on a sofa, and with the armchairs that go with it."""
 
 
 @dataclass(frozen=True)

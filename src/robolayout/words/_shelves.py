@@ -39,7 +39,7 @@ def _dealt(things: Iterable[Asset], shelves: tuple[Surface, ...]) -> Iterator[tu
     """Yield things by name with the name of the shelf that each gets: the first one with room, else the first one of all."""
     taken = dict.fromkeys(shelves, 0.0)
     for thing in things:
-        shares = {shelf: 1 / max(slots(shelf, thing.size), 0.1) for shelf in shelves}
-        shelf = next((one for one in shelves if taken[one] + shares[one] <= 1.0), shelves[0])
-        taken[shelf] += shares[shelf]
+        room = {shelf: slots(shelf, thing.size) for shelf in shelves}
+        shelf = next((one for one, many in room.items() if many and taken[one] + 1 / many <= 1.0), shelves[0])
+        taken[shelf] += 1 / max(room[shelf], 1)
         yield thing.name, shelf.name

@@ -30,9 +30,7 @@ class Costs:
     cut_off: float = 40.0  # cost of all of the free floor being out of the agent's way
     inexact: float = 30.0  # cost of a place where something touches, by the exact check
     shut: float = 18.0  # cost of a place where a door or drawer does not open
-    spread: int = (
-        12  # places that are tried all over the room: of a circle, of a block that has no good one among the best
-    )
+    spread: int = 12  # places tried all over the room: of a circle, of a block with no good one among the best
     checked: int = 300  # best places that are checked exactly before one is taken
     trials: int = 8  # places for which it is found out what they cut off
     close: float = 0.3
