@@ -139,6 +139,7 @@ class Outcome:
     limit: float  # what that figure is compared with, in the same unit
     unit: str  # unit of both ("m", "deg", "m2", "")
     text: str  # the measurement as part of a sentence ("back edge 0.02 m from walls[2], front 1 deg off")
+    blamed: tuple[str, ...] = ()  # names of assets that it is not about and that are in the way
 
     @classmethod
     def at_most(cls, limit: float, value: float, unit: str, text: str) -> Outcome:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Collection
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from shapely import box
 from shapely.affinity import rotate, translate
@@ -18,7 +18,7 @@ from robolayout.scene import Layout, Scene, vertical_span
 
 @dataclass(frozen=True)
 class KeepClear(Relation):
-    """The strip `depth` m deep before one `side` of `a` stays free of other things that stand at its height."""
+    """The strip `depth` m deep before one `side` of `a` stays free of other things at its height, those `besides` aside."""
 
     name = "keep_clear"
     example = 'solver.keep_clear(wardrobe[0], "front", 0.7)'
@@ -26,17 +26,23 @@ class KeepClear(Relation):
     a: AssetRef = argument("asset")
     side: str = argument("text", choices=("front", "back", "left", "right"), default="front")
     depth: float = argument("number", unit="m", default=0.6)
+    besides: tuple[AssetRef, ...] = argument("asset", many=True, default=())
 
     def terms(self, scene: Scene, near: Layout) -> tuple[Term, ...]:
         """Return one strip in a's frame."""
         center, half = self._strip(scene)
-        return (ClearTerm(self.a, center, half, strip_span(scene, near, self.a), hard=False),)
+        return (ClearTerm(self.a, center, half, strip_span(scene, near, self.a), self._aside(scene), hard=False),)
 
     def check(self, scene: Scene, layout: Layout) -> Outcome:
         """At most 0.01 m2 of other footprints (rugs aside) in the strip."""
         (x, y), (hx, hy) = self._strip(scene)
         strip = box(x - hx, y - hy, x + hx, y + hy)
-        return region_outcome(scene, layout, self.a, strip, strip_span(scene, layout, self.a))
+        return region_outcome(scene, layout, self.a, strip, strip_span(scene, layout, self.a), self._aside(scene))
+
+    def _aside(self, scene: Scene) -> frozenset[str]:
+        """Return the names of what may stand there, with what only stands on other things: its bearer is counted, or may be there."""
+        borne = (asset.name for asset in scene.assets if asset.on_object and not asset.on_floor)
+        return frozenset((*(ref.name for ref in self.besides), *borne)) if self.besides else frozenset()
 
     def _strip(self, scene: Scene) -> tuple[tuple[float, float], tuple[float, float]]:
         """Return its centre and half its size in a's frame."""
@@ -66,7 +72,7 @@ def region_outcome(
     x0, y0, x1, y1 = strip.bounds
     middle, reach = ((x0 + x1) / 2, (y0 + y1) / 2), math.hypot(x1 - x0, y1 - y0) / 2
     low, high = heights
-    taken, culprit = 0.0, ""
+    taken = dict[str, float]()
     for asset in scene.assets:
         if asset.name == owner.name or asset.is_flat or asset.name not in layout or asset.name in exempt:
             continue
@@ -75,7 +81,8 @@ def region_outcome(
         if far or bottom >= high or top <= low:
             continue
         area = common_area(strip, footprint(scene, layout, AssetRef(asset.name)))
-        if area > taken:
-            taken, culprit = area, asset.name
-    text = f"{taken:.2f} m2 of {culprit} in the strip" if taken > TOLERANCE.strip else "free"
-    return Outcome.at_most(TOLERANCE.strip, taken, "m2", text)
+        if area > TOLERANCE.strip:
+            taken[asset.name] = area
+    worst = max(taken, key=taken.__getitem__, default="")
+    text = f"{taken[worst]:.2f} m2 of {worst} in the strip" if taken else "free"
+    return replace(Outcome.at_most(TOLERANCE.strip, taken.get(worst, 0.0), "m2", text), blamed=tuple(taken))

@@ -205,12 +205,19 @@ class Added:
         there = {self.wishes.head(other) for other in self.wished.keys() - others if not visits(other)}
         there |= self.wishes.general - {self.wishes.head(other) for other in others}
         there |= {"chair"} if head(name) == "table" and SEATS & {*self.wished} else set()
+        there |= {"chair", *SEATS} if self._seated(name) else set()
         if self.room.tables and head(name) == "desk" and "chair" not in map(head, self.wishes.things):
             there.discard("chair")  # those that are there are of the tables
         for other, each in self._companions(name).items():
             if other not in self.spared and head(other) not in there:
                 most = 1 if head(other) == "chair" and self._worked_at(name) else each
                 self.found[other] = self.found.get(other, 0) + count * self._at_open_sides(other, most)
+
+    def _seated(self, name: str) -> bool:
+        """Return whether a thing is said to have seats: "a vanity with a chair"."""
+        links = (k for k in self.wishes.reading.parsed.links if k.relation in ("with", "around"))
+        own = (k for k in links if name in map(self.wishes.kind, named(k.objects)))
+        return any(head(self.wishes.kind(one)) in ("chair", *SEATS) for k in own for one in named(k.subjects))
 
     def _worked_at(self, name: str) -> bool:
         """Return whether what belongs on desks is said to be on a thing, so that one sits there: "a computer on a table"."""

@@ -116,7 +116,7 @@ def join_as_asked(cast: Mapping[str, Cast], demands: Sequence[Demand], passage: 
         name: to for name, to in looked_at(demands).items() if name not in wanted and name not in placed.union(crowd)
     }
     wanted |= dict(_before_what_they_face(found, single))
-    for a, b in (pair for relation in said(demands) if len(pair := relation.asset_names()) == 2):
+    for a, b in (pair for relation in said(demands, placing=True) if len(pair := relation.asset_names()) == 2):
         # what usually stands in a row that ends at what is asked to be placed by one of the row stands by itself
         last = next((one for one in chain(b, found) if found[one].anchor == a), "")
         if last and found[last].join.loose and last not in wanted:

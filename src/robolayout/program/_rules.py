@@ -22,6 +22,7 @@ from robolayout.constraints.corner import Corner
 from robolayout.constraints.distance_constraint import DistanceConstraint
 from robolayout.constraints.facing_pair import FacingPair
 from robolayout.constraints.grid import Grid
+from robolayout.constraints.keep_clear import KeepClear
 from robolayout.constraints.mounted_on import MountedOn
 from robolayout.constraints.on_top_of import OnTopOf
 from robolayout.constraints.point_towards import PointTowards
@@ -108,7 +109,7 @@ def topic(relation: Relation) -> object:
     refs = relation.refs()
     if isinstance(relation, DistanceConstraint | FacingPair):
         return (relation.name, frozenset(refs))
-    if isinstance(relation, AnyOf):
+    if isinstance(relation, AnyOf | KeepClear):  # a thing has several sides
         return relation
     if isinstance(relation, SymmetricPair):
         return (relation.name, frozenset(refs[:2]), refs[2])

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
 
-from robolayout.constraints import Relation
+from robolayout.constraints import Outcome, Relation
 from robolayout.program import Program
 from robolayout.scene import Layout, Pose, Scene
 from robolayout.solve import Enough, Judge, Verdict, never
@@ -37,9 +37,9 @@ def make_judge(scene: Scene, program: Program) -> Judge:
             return found
         soft, unmet = 0.0, list[str]()
         for asked in statements:
-            if asked.names <= placed and not asked.met(scene, layout):
+            if asked.names <= placed and not (outcome := asked.outcome(scene, layout)).met:
                 soft += float(getattr(asked.relation, "weight", 1.0))
-                unmet += asked.relation.asset_names()
+                unmet += (*asked.relation.asset_names(), *outcome.blamed)
         access, blamed = 0.0, list[str]()
         for agent in bodies:
             if enough(replace(found, access=access, soft=soft)):
@@ -79,13 +79,13 @@ class _Asked:
     relation: Relation
     names: frozenset[str]
     _read: dict[str, Pose | None] = field(default_factory=dict[str, Pose | None])
-    _met: bool = False
+    _outcome: Outcome | None = None
 
-    def met(self, scene: Scene, layout: Layout) -> bool:
-        if not self._read or any(layout.get(name) != pose for name, pose in self._read.items()):
+    def outcome(self, scene: Scene, layout: Layout) -> Outcome:
+        if self._outcome is None or any(layout.get(name) != pose for name, pose in self._read.items()):
             seen = _Read(layout.poses)
-            self._met, self._read = self.relation.check(scene, Layout(seen)).met, seen.read
-        return self._met
+            self._outcome, self._read = self.relation.check(scene, Layout(seen)), seen.read
+        return self._outcome
 
 
 def _used(found: AgentReport) -> Iterator[Mapping[str, bool]]:

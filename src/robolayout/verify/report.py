@@ -304,7 +304,6 @@ def _measure(scene: Scene, layout: Layout, statement: Statement) -> StatementRes
     relation = statement.relation
     missing = [name for name in relation.asset_names() if name not in layout]
     unplaced = Outcome(False, math.nan, math.nan, "", f"{' and '.join(missing)} not placed")
-    found = vars(unplaced if missing else relation.check(scene, layout))
-    return StatementResult(
-        statement.number, statement.line, statement.source, relation.sentence(), **found, by=statement.by
-    )
+    found = unplaced if missing else relation.check(scene, layout)
+    said = (statement.number, statement.line, statement.source, relation.sentence())
+    return StatementResult(*said, found.met, found.value, found.limit, found.unit, found.text, by=statement.by)

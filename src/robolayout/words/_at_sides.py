@@ -7,6 +7,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from itertools import pairwise
 
+from robolayout.assets import category_of
 from robolayout.constraints import AssetRef, PointRef, Relation, WallRef
 from robolayout.constraints.around import Around
 from robolayout.scene import ROUNDING
@@ -56,12 +57,21 @@ class AtSides(AtPlaces):
         """Yield that so much floor, or what the body needs, is free at one of some sides of things: no thing stands there, and no wall."""
         free, sides = metres or round(2 * self.scene.agents[0].radius, 2), place.split(" or ")
         for a in (a for a in subjects if self._asset(a).on_floor):
-            clear = [stated("keep_clear", AssetRef(a), side, free) for side in sides]
+            besides = tuple(map(AssetRef, self._at_home_at(a)))
+            clear = [stated("keep_clear", AssetRef(a), side, free, besides) for side in sides]
             ways = [[*self._off_walls(a, side, free)] for side in sides]
             if len(sides) > 1:
                 yield Demand(tuple((one, *way) for one, off in zip(clear, ways, strict=True) for way in off))
             else:
                 yield from (single(*clear), Demand(tuple(ways[0])))
+
+    def _at_home_at(self, a: str) -> Iterator[str]:
+        """Yield what stands at a thing though the floor there is asked to be free: night stands by a bed, chairs at a table or desk."""
+        bed = self._is(a, ("bed",))
+        for one in self.scene.assets if bed or self._is(a, ("table", "desk")) else ():
+            seat = category_of(one).movable and self._is(one.name, small.SEATS)
+            if one.on_floor and one.name != a and (self._is(one.name, ("night stand",)) if bed else seat):
+                yield one.name
 
     def _turning(self, it: Asked) -> Iterator[Demand]:
         """A free disc on which the body turns: before one of the larger things, or all around the middle of the room."""

@@ -201,8 +201,7 @@ class BuildPass:
         flat = [item.name for item in items if item.asset.is_flat]
         hung, high = ([item.name for item in items if getattr(item, way)] for way in ("hung", "overhead"))
         standing = [item.name for item in items if item.standing]
-        for name in hung:
-            hang(self.site, name, self.rng)
+        hang(self.site, hung, self.rng)
         overhead(self.site, high)
         lay_rugs(self.site, flat)
         there = [name for name in (*hung, *high, *flat) if name in self.site.spots]
@@ -243,6 +242,8 @@ class BuildPass:
     def _in_rows(self, clusters: Sequence[Cluster], modes: Modes, weights: Mapping[str, float]) -> list[Cluster]:
         """Place what fits well along the walls, put the rest into a grid, and return what fits nowhere."""
         left, least = list(clusters), 2
+        if all(any(self.site.wants[n].hung for n in self.site.wants[one.anchor].at) for one in clusters):
+            return left  # the mirrors before which they stand hang in a row
         if self.site.wants[clusters[0].anchor].block:
             out = uncommon(self.site, clusters)
             own = [self._without_own(cluster, out) for cluster in clusters]

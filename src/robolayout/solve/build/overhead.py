@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 from itertools import groupby
 
 import numpy as np
@@ -20,6 +21,7 @@ from robolayout.solve.build.member import Member
 from robolayout.solve.build.places import WALL_GAP, targets, wall_yaw
 from robolayout.solve.build.site import Site, Spot
 from robolayout.solve.build.taste import wished
+from robolayout.solve.build.wants import Want
 
 
 @dataclass(frozen=True)
@@ -37,6 +39,7 @@ class Hanging:
     out_of_reach: float = 10.0
     """Cost of hanging what is used higher than the shortest arm gets, or where a door or drawer opens."""
     raised: float = 0.4  # metres above its usual height from which on a thing hangs out of place: a basin over a bed
+    step: float = 0.15  # metres between places along a wall
     between: float = 0.5  # metres between what stands before one hung thing and before the next
     apart: float = 0.01  # metres that a hung thing keeps from what stands or hangs beside it at the least
     crowded: float = 8.0  # cost of hanging where all of the floor that it is used from is taken
@@ -50,7 +53,44 @@ class Hanging:
 HANGING = Hanging()
 
 
-def hang(site: Site, name: str, rng: np.random.Generator) -> None:
+def hang(site: Site, names: Sequence[str], rng: np.random.Generator) -> None:
+    """Hang things of a kind where a wall is free: over what they belong to, else where there is most room around them.
+
+    Mirrors before which a row of chairs is to stand hang in a row, where a wall is long enough for it.
+    """
+    if not _hang_row(site, names):
+        for name in names:
+            _hang(site, name, rng)
+
+
+def _hang_row(site: Site, names: Sequence[str]) -> bool:
+    """Hang like things as far apart as what is demanded to stand before each needs; False where that is nothing or there is no wall."""
+    before = {name: [want for want in site.wants.values() if name in want.at and want.standing] for name in names}
+    if len(names) < 2 or not all(len(wants) == 1 for wants in before.values()):
+        return False
+    wide = max(site.size(want.name)[1] for (want,) in before.values()) + HANGING.between
+    along = [wide * (i - (len(names) - 1) / 2) for i in range(len(names))]
+    best, row = HANGING.crowded, list[Spot]()
+    for wall in site.room.walls:
+        for t in np.arange(wide / 2 - along[0], wall.length - wide / 2 - along[-1], HANGING.step):
+            found = [_hang_cost(site, name, wall, t + off) for name, off in zip(names, along, strict=True)]
+            cost = sum(cost for cost, _ in found) / len(names)
+            cost += sum(map(partial(_clash_before, site), (before[name][0] for name in names), (s for _, s in found)))
+            if cost < best:
+                best, row = cost, [spot for _, spot in found]
+    for name, spot in zip(names, row, strict=False):
+        site.settle(name, spot)
+    return bool(row)
+
+
+def _clash_before(site: Site, want: Want, spot: Spot) -> float:
+    """Return the cost of the place of what stands before a hung thing."""
+    low, high = want.face.distance if want.face else (0.0, 0.0)
+    before = Member(want.name, (low + high) / 2, yaw=math.pi).moved(spot.member.x, spot.member.y, spot.member.yaw)
+    return float(site.clash(site.clusters.build(want.name), np.array([(before.x, before.y, before.yaw)]))[0])
+
+
+def _hang(site: Site, name: str, rng: np.random.Generator) -> None:
     """Hang a thing where a wall is free: over what it belongs to, else where there is most room around it."""
     places = [_hang_cost(site, name, wall, t) for wall in site.room.walls for t in _hang_offsets(site, name, wall)]
     if not places:
@@ -78,7 +118,7 @@ def _stretch(member: Member, openings: Sequence[Point]) -> tuple[float, float, t
 def _hang_offsets(site: Site, name: str, wall: Wall) -> list[float]:
     width = site.size(name)[1]
     low, high = width / 2 + WALL_GAP - 1e-6, wall.length - width / 2 - WALL_GAP + 1e-6
-    marks = [wall.length / 2, *np.arange(low + 0.04, high, 0.15)]
+    marks = [wall.length / 2, *np.arange(low + 0.04, high, HANGING.step)]
     marks += [(span.rect[0] + span.rect[2]) / 2 for span in site.spans if span.wall == wall.index]
     marks += [window.center for window in _dressed(site, name, wall)]
     return sorted({round(float(t), 3) for t in marks if low <= t <= high})
