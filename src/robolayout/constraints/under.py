@@ -1,9 +1,11 @@
-"""`under`: a rug lies under things."""
+"""`under`: a rug lies under things, or a thing stands under another: a bin under a desk."""
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 
+from robolayout.assets.beneath import BENEATH
 from robolayout.constraints._exact import TOLERANCE, common_area, footprint, half_size
 from robolayout.constraints._refs import AssetRef
 from robolayout.constraints._relation import FrameTerm, Interval, Outcome, Relation, Term, argument
@@ -14,7 +16,7 @@ OVERLAP = 0.10  # metres by which each thing should reach over the rug
 
 @dataclass(frozen=True)
 class Under(Relation):
-    """The rug `a` lies under `items`: each of them stands at least partly on it."""
+    """The rug `a` lies under `items`, each at least partly on it; another thing stands below them, half of it or more."""
 
     name = "under"
     surrogate = True  # things reach 10 cm over the rug, where the check takes 5
@@ -26,8 +28,11 @@ class Under(Relation):
     def terms(self, scene: Scene, near: Layout) -> tuple[Term, ...]:
         """Return two rows per thing: each reaches over the other's edge, as the rug sees it and as the thing sees it.
 
-        Two boxes overlap if and only if they do along the axes of both. The rug moves.
+        Two boxes overlap if and only if they do along the axes of both. The rug moves. Of what is no rug, one row: it is wholly
+        below the other, in the middle of it where it is longer.
         """
+        if not scene.by_name[self.a.name].is_flat:
+            return tuple(self._below(scene, near, item) for item in self.items)
         rows: list[Term] = []
         for item in self.items:
             along, across = _reach(half_size(scene, self.a))
@@ -36,8 +41,22 @@ class Under(Relation):
             rows.append(FrameTerm(self.a, item, along=along, across=across))
         return tuple(rows)
 
+    def _below(self, scene: Scene, near: Layout, item: AssetRef) -> Term:
+        turned = near[self.a.name].yaw - near[item.name].yaw
+        c, s, (hx, hy) = abs(math.cos(turned)), abs(math.sin(turned)), half_size(scene, self.a)
+        free = (
+            max(own - half, 0.0)
+            for own, half in zip(half_size(scene, item), (c * hx + s * hy, s * hx + c * hy), strict=True)
+        )
+        along, across = (Interval(-far, far) for far in free)
+        return FrameTerm(self.a, item, along=along, across=across)
+
     def check(self, scene: Scene, layout: Layout) -> Outcome:
-        """Each thing reaches at least 5 cm over the rug, or a quarter of its shorter side where that is less."""
+        """Each reaches at least 5 cm over the rug, or a quarter of its shorter side where that is less; half of another thing is below."""
+        if not scene.by_name[self.a.name].is_flat:
+            own = footprint(scene, layout, self.a)
+            below = min(common_area(own, footprint(scene, layout, item)) for item in self.items) / own.area
+            return Outcome.at_most(1.0 - BENEATH.least, 1.0 - below, "", f"{below:.0%} of it below")
         rug = footprint(scene, layout, self.a)
         inner = rug.buffer(-min(TOLERANCE.gap, min(half_size(scene, self.a)) / 2), join_style="mitre")
         short = {item.name: inner.distance(footprint(scene, layout, item)) for item in self.items}

@@ -17,6 +17,7 @@ import numpy as np
 
 from robolayout._reading import whole
 from robolayout.assets import CATALOGUE, Category, own_assets, own_kinds
+from robolayout.assets.beneath import low_enough, with_room_below
 from robolayout.assets.catalogue import Entry
 from robolayout.assets.palette import PALETTES
 from robolayout.assets.surfaces import bearing, emptied, open_shelves
@@ -25,8 +26,18 @@ from robolayout.planners._knowledge import DATA, load_knowledge
 from robolayout.planners._openings import with_openings
 from robolayout.planners._room_size import SIZES, possible, room_size
 from robolayout.planners._wishes import LOW, RoomWishes, Size, head, read_wishes
-from robolayout.scene import DEFAULT_AGENT, Agent, Asset, Room, Scene, load_agent, scene_from_dict, variable_name
-from robolayout.words import COUNTERS, SHAPES, NamedThing, dressing, mentions, named, place_in, visits
+from robolayout.scene import (
+    DEFAULT_AGENT,
+    FLAT_HEIGHT,
+    Agent,
+    Asset,
+    Room,
+    Scene,
+    load_agent,
+    scene_from_dict,
+    variable_name,
+)
+from robolayout.words import COUNTERS, SHAPES, Mention, NamedThing, dressing, mentions, named, place_in, visits
 
 LOUNGE = {*DATA["nouns"]["lounge"]}
 ON_A_SOFA, AT_ONE_SOFA = 3, 5
@@ -144,7 +155,7 @@ def _bearing(scene: Scene, wishes: RoomWishes) -> Scene:
     for link in (link for link in wishes.reading.parsed.links if link.relation in ("on", "in", "with", "stacked")):
         piled = link.relation == "stacked"  # each bears the next
         for one, bearer in product(link.subjects, mentions(link.subjects if piled else link.objects)):
-            kind, other = (wishes.kinds[wishes.kind(mention.thing)] for mention in (one, bearer))
+            kind, other = (_as_asked(mention, wishes) for mention in (one, bearer))
             if piled or kind.on_object:
                 each = 1 if piled else math.ceil(one.count / max(bearer.count, 1))
                 laid.setdefault(other.name, []).extend([kind.size] * each)
@@ -163,7 +174,12 @@ def _bearing(scene: Scene, wishes: RoomWishes) -> Scene:
             bare = replace(bare, size=(d, w, h))
         shelves[asset.category] -= 1
         assets.append(bare)
-    return replace(scene, assets=tuple(_low_enough(assets, onto, wishes)))
+    return replace(scene, assets=tuple(_with_room_below([*_low_enough(assets, onto, wishes)], wishes)))
+
+
+def _as_asked(mention: Mention, wishes: RoomWishes) -> Category:
+    """Return what somebody asks for, by its own words."""
+    return wishes.asked.get(mention.thing) or wishes.kinds[wishes.kind(mention.thing)]
 
 
 def _low_enough(assets: Sequence[Asset], onto: Mapping[str, str], wishes: RoomWishes) -> Iterator[Asset]:
@@ -177,6 +193,30 @@ def _low_enough(assets: Sequence[Asset], onto: Mapping[str, str], wishes: RoomWi
         told = asset.path is not None or any(thing.sizes for thing in wishes.told(asset.category))
         d, w, h = (round(side * by, 3) for side in asset.size) if LEAST_SHARE < by < 1.0 and not told else asset.size
         yield replace(asset, size=(d, w, h))
+
+
+def _with_room_below(assets: Sequence[Asset], wishes: RoomWishes) -> Iterator[Asset]:
+    """Yield things, of which those that words put under others have room there."""
+    links = [link for link in wishes.reading.parsed.links if link.relation == "under"]
+    pairs = [
+        tuple(_as_asked(mention, wishes) for mention in two)
+        for link in links
+        for two in product(link.subjects, mentions(link.objects))
+        if not two[0].sat_on
+    ]
+    above = {low.name: high.name for low, high in pairs if low.on_floor and high.on_floor and low.size[2] > FLAT_HEIGHT}
+    below: dict[str, list[Asset]] = {}
+    for asset in assets:
+        below.setdefault(above.get(asset.category, ""), []).append(asset)
+    many, opened = Counter(asset.category for asset in assets), dict[str, Asset]()
+    for asset in assets:
+        held = below.get(asset.category, []) if asset.path is None else []
+        opened[asset.name] = with_room_below(asset, held, math.ceil(len(held) / many[asset.category]))
+    first = {asset.category: asset for asset in reversed(opened.values())}
+    for asset in opened.values():
+        upper = first.get(above.get(asset.category, ""))
+        told = asset.path is not None or any(thing.sizes for thing in wishes.told(asset.category))
+        yield asset if told or upper is None else low_enough(asset, upper)
 
 
 def _wished(wishes: RoomWishes) -> dict[str, int]:

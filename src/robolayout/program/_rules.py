@@ -12,6 +12,7 @@ from dataclasses import dataclass, field, replace
 from typing import NamedTuple
 
 from robolayout.assets import place_of
+from robolayout.assets.beneath import clearance, places_beneath
 from robolayout.constraints import TOLERANCE, AssetRef, PointRef, Relation, WallRef
 from robolayout.constraints.against_wall import AgainstWall
 from robolayout.constraints.align_with import AlignWith
@@ -164,7 +165,7 @@ def suits(so_far: Accepted, relation: Relation) -> Answer:
     if isinstance(relation, CeilingAbove) and first and not first.on_ceiling:
         return f"{first.name} does not hang from the ceiling"
     if isinstance(relation, Under):
-        return _suits_rug(so_far, relation)
+        return _fits_below(so_far, relation)
     if isinstance(relation, CenteredOn) and first and isinstance(relation.b, AssetRef) and relation.axis == "both":
         hung = first.on_wall or assets[relation.b.name].on_wall
         same_place = not hung and so_far.collide(first.name, relation.b.name)
@@ -174,12 +175,17 @@ def suits(so_far: Accepted, relation: Relation) -> Answer:
     return None
 
 
-def _suits_rug(so_far: Accepted, relation: Under) -> Answer:
-    rug = so_far.scene.by_name[relation.a.name]
-    if not rug.is_flat:
-        return f"{rug.name} is {rug.size[2]:.2f} m high; only something flat on the floor can lie under others"
-    above = next((i for i in relation.items if place_of(so_far.scene.by_name[i.name]) == "ceiling"), None)
-    return f"{above} hangs from the ceiling; nothing lies under it" if above else None
+def _fits_below(so_far: Accepted, relation: Under) -> Answer:
+    low, above = so_far.scene.by_name[relation.a.name], [so_far.scene.by_name[item.name] for item in relation.items]
+    hung = next((one for one in above if place_of(one) == "ceiling"), None)
+    if hung is not None:
+        return f"{hung.name} hangs from the ceiling; nothing lies under it"
+    tight = next((one for one in above if not low.is_flat and not places_beneath(one, low)), None)
+    if tight is None:
+        return None
+    free = clearance(tight, low.size[:2])
+    room = f"only things up to {free:.2f} m high do" if free > 0.0 else "nothing that wide and deep does"
+    return f"{low.name} is {low.size[2]:.2f} m high and does not fit under {tight.name}: {room}"
 
 
 def once(so_far: Accepted, relation: Relation) -> Answer:

@@ -177,7 +177,7 @@ class Run:
                 best, least, seed = found, rank, tried.seed
             verdict = found.solution.verdict
             served = report.ok and not verdict.barred  # the judge asks for more free floor than the report demands
-            if served or (verdict.ok and any(one.impossible for one in report.agents)):
+            if served or (verdict.ok and (any(one.impossible for one in report.agents) or found.denied(report))):
                 break
             lost, things = best.solution.verdict.hard + best.solution.verdict.access, len(self.scene.assets)
             if (number and things > FLOW.many) or (number + 1 >= FLOW.ahead and lost > FLOW.forlorn * things):

@@ -34,6 +34,13 @@ class Attempt:
     reconciled: Reconciled  # the same after the filter
     solution: Solution  # what the solver made of it
 
+    def denied(self, report: Report) -> bool:
+        """Whether nothing is unmet in its report but what users ask and the filter rejects, which no other plan can mend."""
+        rejected = {
+            one.statement.number for one in self.reconciled.decisions if one.kept is None and one.statement.by == "user"
+        }
+        return rejected >= {one.number for one in report.statements if not one.met}
+
 
 def joined_traces(traces: Iterable[Trace]) -> Trace:
     """Return the record of searches that followed each other."""

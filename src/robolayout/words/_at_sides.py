@@ -1,4 +1,4 @@
-"""What stands on one side of a thing: any side, the other one, all seats at one side of a table, so many metres off it."""
+"""What stands on one side of a thing or under it: any side, the other one, all seats at one side of a table, so far off it."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ from dataclasses import replace
 from itertools import pairwise
 
 from robolayout.assets import category_of
+from robolayout.assets.beneath import places_beneath
 from robolayout.constraints import AssetRef, PointRef, Relation, WallRef
 from robolayout.constraints.around import Around
 from robolayout.scene import ROUNDING
@@ -72,6 +73,25 @@ class AtSides(AtPlaces):
             seat = category_of(one).movable and self._is(one.name, small.SEATS)
             if one.on_floor and one.name != a and (self._is(one.name, ("night stand",)) if bed else seat):
                 yield one.name
+
+    def _under(self, it: Asked) -> Iterator[Demand]:
+        """A rug below others."""
+        for a in it.subjects if it.others else ():
+            if self._asset(a).is_flat:
+                yield single(stated("under", AssetRef(a), tuple(AssetRef(b) for b in it.others if b != a)))
+
+    def _under_each(self, a: str, b: str) -> Demand | None:
+        """Furniture below a window, a picture, a lamp; what stands on the floor below what has room for it, near what has none."""
+        below = self._asset(b).on_wall or self._asset(b).on_ceiling
+        if below and not self._asset(b).on_floor:
+            return single(stated("above", AssetRef(b), AssetRef(a)))
+        if self._asset(a).is_flat:
+            return None
+        near = stated("near", AssetRef(a), AssetRef(b), ways_of.AT_TABLE)
+        if self._is(a, small.SEATS) or not (self._asset(a).on_floor and self._asset(b).on_floor):
+            return single(near)
+        under = stated("under", AssetRef(a), (AssetRef(b),))
+        return Demand(((under,) if places_beneath(self._asset(b), self._asset(a)) else (under, near),))
 
     def _turning(self, it: Asked) -> Iterator[Demand]:
         """A free disc on which the body turns: before one of the larger things, or all around the middle of the room."""

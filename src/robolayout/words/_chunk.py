@@ -53,7 +53,7 @@ class Chunk:
     def level(self) -> int:
         """Which shelf of a thing is meant, from below, or -1 for the highest one; 0 for none or any."""
         of_shelf = "shelf" in self.adjectives or (self.noun is not None and self.noun.said == "shelf")
-        return next((LEVELS[word] for word in self.adjectives if of_shelf and word in LEVELS), 0)
+        return next((LEVELS[word] for word in (*self.adjectives, self.det) if of_shelf and word in LEVELS), 0)
 
     @property
     def sided(self) -> str:

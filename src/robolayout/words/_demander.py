@@ -391,21 +391,6 @@ class Demander(AtSides):
             seen = it.subjects[i * len(it.subjects) // len(it.others)]
             yield single(stated("point_towards", AssetRef(b), AssetRef(seen)))
 
-    def _under(self, it: Asked) -> Iterator[Demand]:
-        """A rug below others."""
-        for a in it.subjects if it.others else ():
-            if self._asset(a).is_flat:
-                yield single(stated("under", AssetRef(a), tuple(AssetRef(b) for b in it.others if b != a)))
-
-    def _under_each(self, a: str, b: str) -> Demand | None:
-        """Furniture below a window, a picture, a lamp; what stands on the floor cannot stand inside another."""
-        below = self._asset(b).on_wall or self._asset(b).on_ceiling
-        if below and not self._asset(b).on_floor:
-            return single(stated("above", AssetRef(b), AssetRef(a)))
-        if self._asset(a).is_flat:
-            return None
-        return single(stated("near", AssetRef(a), AssetRef(b), ways_of.AT_TABLE))
-
     def _above(self, it: Asked) -> Iterator[Demand]:
         """Over a thing, on the wall where it hangs there, or on it; one thing over the middle of several, else over one of them."""
         if len(it.subjects) == 1 and len(it.others) > 1 and not self._asset(it.subjects[0]).on_object:

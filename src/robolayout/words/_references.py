@@ -114,6 +114,8 @@ class References(Spoken):
         fits = [t for t in fits if not t.differs(chunk)]
         fits = [t for t in fits if {*chunk.adjectives} & {*t.adjectives, *t.told}] or fits
         last, number = fits[-1] if fits else None, chunk.number
+        if last is not None and chunk.level and chunk.det != "a" and last.count == 1 and not last.definite:
+            return last  # "the second shelf" of the one unit
         if last is None or not self._has_so_many(last, chunk.det):
             return None
         said = {word.removesuffix("s") for word in (*chunk.adjectives, *chunk.noun.said.split())}
@@ -393,8 +395,10 @@ class References(Spoken):
         told = (*about, chunk.start, chunk.end, (low, high), chunk.rows)
         topmost = not {"top", "atop"}.isdisjoint(chunk.adjectives)
         alone = chunk.value == "on" and [bearer.count for bearer in named(objects)] == [1]
-        level = chunk.level or self._ahead(-1).level * alone  # "on the bottom shelf" of the one unit that was named
-        self.said.links.append(Link("in" if level else chunk.value, *told, chunk.sided, topmost, level))
+        at = self._ahead(-1)
+        level = chunk.level or at.level * alone  # "on the bottom shelf" of the one unit that was named
+        all_of = alone and at.plural and at.noun is not None and at.noun.said == "shelf"  # "on the shelves" of it
+        self.said.links.append(Link("in" if level or all_of else chunk.value, *told, chunk.sided, topmost, level))
         if self.gap is not None and chunk.value in ("above", "under"):
             self.said.missed.append(self.gap)  # heights are not told
             self.gap = None

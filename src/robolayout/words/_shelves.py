@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
+from fractions import Fraction
 
 from robolayout.assets.surfaces import Surface, open_shelves, slots
 from robolayout.scene import Asset
@@ -24,7 +25,7 @@ def shelved(assets: Mapping[str, Asset], asked: Iterable[tuple[Link, Asked]]) ->
         room = [sum(slots(shelf, assets[a].size) for shelf in shelves) for a in names]
         if level and shelves:
             yield from (((a, b), shelf) for a, shelf in _dealt([assets[a] for a in names], shelves))
-        elif all(room) and sum(1 / many for many in room) <= 1.0:
+        elif all(room) and sum(Fraction(1, many) for many in room) <= 1:
             yield from (((a, b), "") for a in names)
 
 
@@ -37,9 +38,9 @@ def _meant(shelves: tuple[Surface, ...], level: int) -> tuple[Surface, ...]:
 
 def _dealt(things: Iterable[Asset], shelves: tuple[Surface, ...]) -> Iterator[tuple[str, str]]:
     """Yield things by name with the name of the shelf that each gets: the first one with room, else the first one of all."""
-    taken = dict.fromkeys(shelves, 0.0)
+    taken = dict.fromkeys(shelves, Fraction(0))
     for thing in things:
         room = {shelf: slots(shelf, thing.size) for shelf in shelves}
-        shelf = next((one for one, many in room.items() if many and taken[one] + 1 / many <= 1.0), shelves[0])
-        taken[shelf] += 1 / max(room[shelf], 1)
+        shelf = next((one for one, many in room.items() if many and taken[one] + Fraction(1, many) <= 1), shelves[0])
+        taken[shelf] += Fraction(1, max(room[shelf], 1))
         yield thing.name, shelf.name

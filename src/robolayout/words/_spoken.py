@@ -60,6 +60,8 @@ class RoomPart:
         if own or (area.kind == "room" and (usual or len(rooms) < 2)):
             return
         times = area.number or 1 + area.plural  # "two sitting areas"
+        narrow = any(grammar().sizes.get(word, (1.0,))[0] < 1.0 for word in area.adjectives)
+        kinds = dict.fromkeys(kinds, 1) if narrow and area.kind == "room" else kinds  # "a small kitchen"
         named_here = [thing for thing in said.things if not thing.implied]
         there = {thing.noun.kind for thing in named_here} | {m.thing.head for m in self.things}
         there |= small.SEATS if any(m.sat_on for m in self.things) else set[str]()
@@ -164,12 +166,11 @@ class Spoken:
     def _into_the_zone(self, chunk: Chunk, mention: Mention) -> None:
         """Note that a thing is in the part of the room that is spoken of; "the kitchen at the back and the sofa" leaves that."""
         zone, before = self.zone, self._previous(chunk)
-        if (
-            zone is not None
-            and not zone.things
-            and (before == "and" if zone.place else zone.area and before in ("and", ","))
-        ):
-            self.zone = None
+        if zone is not None and not zone.things:
+            # "a kitchen along the wall, a sofa facing the television"
+            other = zone.area is not None and zone.area.value == "kitchen" != mention.thing.category.group
+            listed = before == "," and (other or (zone.area and not zone.place))
+            self.zone = None if listed or (before == "and" and (zone.place or zone.area)) else zone
         if self.zone is not None and not mention.thing.spans[1:]:
             self.zone.things.append(mention)
 

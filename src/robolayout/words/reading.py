@@ -27,6 +27,12 @@ LONGEST = 4000
 ABREAST = 0.6
 """Metres of a bench that each is given who sits on it (the judge counts a seat from less)."""
 
+AT_A_TABLE = 8
+"""People for whom one of several tables is at the most; more are at all of them together."""
+
+LEAST_SHAPED = 5
+"""Tables of which no number is said that stand in a U: one across and two on each side."""
+
 MOST_OF_A_KIND = 200
 """Largest count that is furnished for."""
 
@@ -203,7 +209,7 @@ def read_text(text: str, lexicon: Lexicon) -> Reading:
     settle_kinds(parsed)
     _two_at_each(parsed.links)
     parsed.links[:] = _had_nearby(parsed.links)
-    number = _shared_out(parsed.things, bounded(counts[0], "people"))
+    number = _shared_out(parsed.things, _shaped(parsed.links, bounded(counts[0], "people")))
     seats = number or next((thing.people * thing.count for thing in parsed.things if thing.people), 0)
     for thing in parsed.things:
         if seats and thing.plural and thing.number is None and thing.head in small.ONE_EACH:
@@ -243,6 +249,15 @@ def _two_at_each(links: Sequence[Link]) -> None:
                 thing.number = 2 * several[0]
 
 
+def _shaped(links: Sequence[Link], number: int) -> int:
+    """Settle how many tables of which no number is said stand in a shape, one for every two people; return for how many the room is."""
+    for thing in (one.thing for link in links if link.relation in small.SHAPES for one in link.subjects):
+        if thing.plural and thing.number is None and thing.times == 1 and thing.head in ("table", "desk"):
+            number, thing.people = number or bounded(thing.people, "people"), 0
+            thing.number = max(LEAST_SHAPED, math.ceil(number / 2))
+    return number
+
+
 def _had_nearby(links: Sequence[Link]) -> list[Link]:
     """Return links without those that give to what is in the middle of the room what is asked to a wall."""
     at = [(link.relation == "middle", link) for link in links if link.relation in ("middle", "wall", "corner")]
@@ -266,6 +281,10 @@ def _shared_out(things: Sequence[NamedThing], number: int) -> int:
         elif thing.people * ABREAST > wide and not thing.sizes:
             thing.sizes.append(Measure("wide", (round(thing.people * ABREAST, 2),), 0, 0))
         thing.people = 0  # they have their seats
+    for thing in (one for one in things if one.head == "table" and one.people > AT_A_TABLE and one.count > 1):
+        # "three tables for twelve people" have twelve seats together
+        number = number or bounded(thing.people, "people")
+        thing.people = math.ceil(thing.people / thing.count)
     return number
 
 

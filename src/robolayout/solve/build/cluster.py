@@ -10,14 +10,21 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 
+import numpy as np
+
 from robolayout.assets import Surface, resting_place
+from robolayout.assets.beneath import places_beneath
 from robolayout.assets.surfaces import slots
 from robolayout.constraints import AssetRef
 from robolayout.constraints.around import Around, Slot, left_gap
 from robolayout.scene import Scene
-from robolayout.solve.build.member import Member, Size, box_of
+from robolayout.solve.build.joining import BENEATH
+from robolayout.solve.build.member import MARGIN, Member, Size, box_of, overlaps
 from robolayout.solve.build.tops import Top
 from robolayout.solve.build.wants import Want
+
+ASIDE = 0.05
+"""Metres by which seats are tried farther aside of what stands under the same thing."""
 
 LEVEL = 1e-6
 """Metres by which heights of one place differ at the most."""
@@ -65,6 +72,7 @@ class ClusterBuilder:
             by_kind.setdefault(item.kind, []).append(item)
         slots: dict[str, Callable[[Want, Sequence[Want], Sequence[Member]], list[Member]]] = {
             "around": self._around,
+            "under": self._under,
             "front": self._front,
             "behind": self._front,
             "beside": self._beside,
@@ -148,6 +156,17 @@ class ClusterBuilder:
                 gap = self._left_gap(anchor, item, partial(_farther, (sign * (edge + ax), y - ay), (sign, 0.0), yaw))
             found.append(Member(item.name, sign * (edge + gap + ax), y - ay, yaw, side=side))
             y -= 2 * ay + 0.12
+        return self._aside_of(anchor, placed, found)
+
+    def _aside_of(self, anchor: Want, placed: Sequence[Member], found: list[Member]) -> list[Member]:
+        """Return seats before a thing as far aside as what stands under it leaves room for them, or where they are."""
+        size = {m.name: self.wants[m.name].asset.size for m in (*placed, *found)}
+        below = [box_of(m, size[m.name]) for m in placed[1:] if self.wants[m.name].join == BENEATH]
+        far = anchor.asset.size[1] / 2
+        for off in sorted(np.arange(-far, far, ASIDE), key=abs) if below else ():
+            moved = [replace(m, y=m.y + float(off)) for m in found]
+            if not any(overlaps(box_of(m, size[m.name]), box, MARGIN) for m in moved for box in below):
+                return moved
         return found
 
     def _left_gap(self, anchor: Want, item: Want, at: Callable[[float], Sequence[Slot]]) -> float:
@@ -160,6 +179,17 @@ class ClusterBuilder:
         slots = Around(seats, AssetRef(anchor.name)).slots(self.scene)
         there = zip(items, slots, strict=True)
         return [Member(item.name, x, y, yaw, side=_side_of(yaw)) for item, (x, y, yaw) in there]
+
+    def _under(self, anchor: Want, items: Sequence[Want], placed: Sequence[Member]) -> list[Member]:
+        """Below the anchor, beside the seats that are pushed under it."""
+        found: list[Member] = []
+        for item in items:
+            there = (m for m in (*placed[1:], *found) if m.bottom < item.asset.size[2])
+            taken = [box_of(m, self.wants[m.name].asset.size) for m in there]
+            places = [Member(item.name, *place) for place in places_beneath(anchor.asset, item.asset)]
+            free = (m for m in places if not any(overlaps(box_of(m, item.asset.size), box) for box in taken))
+            found.append(next(free, places[0]))
+        return found
 
     def _on(self, anchor: Want, items: Sequence[Want], placed: Sequence[Member]) -> list[Member]:
         """On the anchor's tops: place settings before its seats, the rest where its kind belongs; what one cannot hold on the next."""

@@ -45,7 +45,8 @@ def batches(site: Site, cluster: Cluster, modes: Iterable[str]) -> list[Places]:
     """Return all places for a floor cluster, for it and its mirror image if nothing says which side is which."""
     found: list[Places] = []
     joins = [site.wants[member.name].join for member in cluster.members[1:]]
-    lopsided = any(abs(m.y) > 0.02 for m in cluster.members) and not any(join and join.side for join in joins)
+    sided = any(join and (join.side or join.slot == "under") for join in joins)  # drawers of desks are at one side
+    lopsided = any(abs(m.y) > 0.02 for m in cluster.members) and not sided
     for variant in (cluster, cluster.mirrored()) if lopsided else (cluster,):
         for mode in modes:
             poses, walls = _PLACES[mode](site, variant)

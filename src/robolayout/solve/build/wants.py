@@ -11,7 +11,8 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import TypeVar
 
-from robolayout.assets import Category, Surface, category_of, sweeps_of
+from robolayout.assets import Category, category_of, sweeps_of
+from robolayout.assets.beneath import places_beneath
 from robolayout.assets.obstacles import use_sides
 from robolayout.constraints import AssetRef, Relation
 from robolayout.constraints.above import Above
@@ -42,18 +43,13 @@ from robolayout.constraints.toward import Toward
 from robolayout.constraints.under import Under
 from robolayout.program import Program, Statement
 from robolayout.scene import Asset, Scene
-
-AIM = 0.06
-"""Metres above the least gap that a statement allows at which things are put side by side, if it allows as much."""
+from robolayout.solve.build.joining import AIM, BENEATH, DEMANDED, Facing, Joining
 
 CLOSE = 3.0
 """Metres up to which what stands before, behind or beside a thing stands at it."""
 
 LOWEST, HIGHEST, SMALLEST = 0.25, 1.3, 0.01
 """Metres between which tops carry what nothing is said of, and square metres below which they all count as equally small."""
-
-DEMANDED = 2.0
-"""Weight of looking at something, where that is demanded."""
 
 LEADS = 0.6
 """Weight of a wish for a corner from which on corners are tried beside the rest of the walls; and of a wall for what has a front."""
@@ -68,29 +64,6 @@ Beside = NextTo | LeftOf | RightOf | InFrontOf | Behind
 
 SIDES = {"left_of": "left", "right_of": "right", "in_front_of": "front", "behind": "back"}
 """The side that a relation names."""
-
-
-@dataclass(frozen=True)
-class Joining:
-    """How a thing stands at another."""
-
-    slot: str  # "beside", "flank", "front", "behind", "around", "on" or "setting"
-    gap: float = AIM  # metres between the two boxes
-    yaw: float | None = None  # radians between the two fronts; None where nothing says
-    side: str = ""  # the side of the other thing, where it is said
-    at: str = ""  # where on a top: its halves as `toward` names them; for a setting its place beside the plate
-    seat: str = ""  # who a setting is laid for
-    tops: tuple[Surface, ...] = ()  # the places of the other thing on which it may lie, the best first
-
-
-@dataclass(frozen=True)
-class Facing:
-    """What a thing should have in front of it."""
-
-    names: tuple[str, ...]  # the things, the nearest counts
-    away: bool = False  # whether its back looks there
-    distance: tuple[float, float] = (0.0, 20.0)  # lowest and highest distance of centres in metres
-    weight: float = DEMANDED  # how much it matters
 
 
 @dataclass(frozen=True)
@@ -354,6 +327,10 @@ class _Gathered:
             relation, demanded = one.relation, one.wish is None
             if isinstance(relation, Around):
                 return relation.b.name, Joining("around", relation.gap or AIM), demanded
+            if isinstance(relation, Under) and not self.bare.asset.is_flat:
+                (over, *_) = relation.items
+                if places_beneath(self.scene.by_name[over.name], self.bare.asset):
+                    return over.name, BENEATH, demanded
             if isinstance(relation, OnTopOf):
                 return relation.b.name, replace(self._on(relation.b), tops=relation.places(self.scene)), demanded
             if self.bare.asset.is_flat and isinstance(relation, NextTo | Toward):
