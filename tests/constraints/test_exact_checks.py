@@ -260,6 +260,22 @@ def test_a_sofa_is_centred_on_a_picture_sideways() -> None:
         assert check(said("centered_on", A, B), (0.3, y, 0), (0.02, 2, 0, 1.5), assets=(BOX, picture)) is met
 
 
+def test_half_of_what_is_no_rug_stands_below() -> None:
+    under = said("under", A, (B,))
+    bin_ = replace(BOX, size=(0.4, 0.4, 0.4))
+    for x, met in ((2.39, True), (2.41, False)):  # the table is 0.8 m deep
+        assert check(under, (x, 2, 0), (2, 2, 0), assets=(bin_, TABLE)) is met
+
+
+def test_what_is_at_home_there_may_stand_in_a_strip() -> None:
+    clear = said("keep_clear", A, "front", 0.5, (B,))
+    lamp = replace(THIRD, on_floor=False, on_object=True)
+    assert check(clear, (2, 2, 0), (3.1, 2, 0), (3.1, 2, 0, 1.0), assets=(BOX, TABLE, lamp)), "nor what stands on it"
+    there = {"a-0": Pose(2, 2, 0.4, 0), "b-0": Pose(3.1, 2, 0.375, 0), "c-0": Pose(2.6, 2, 0.2, 0)}
+    outcome = clear.check(Scene(ROOM, (BOX, TABLE, THIRD)), Layout(there))
+    assert (outcome.met, outcome.blamed) == (False, ("c-0",))
+
+
 def test_keep_clear() -> None:
     clear = said("keep_clear", A, "front", 0.5)
     assert check(clear, (2, 2, 0), (3.21, 2, 0))
