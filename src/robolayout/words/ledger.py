@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
@@ -369,7 +370,7 @@ def stand_ins(scene: Scene, things: Sequence[NamedThing]) -> dict[NamedThing, tu
     """Return the names of the assets that stand for each thing; one asset stands for one thing only.
 
     The same words come first, then the same kind, then the same last word ("bed" for a single bed). A plural without a number
-    takes all that are left.
+    takes all that are left; where there are not so many of a kind, another one of which there are.
     """
     free = [asset for asset in scene.assets]
     found: dict[NamedThing, tuple[str, ...]] = {}
@@ -380,6 +381,9 @@ def stand_ins(scene: Scene, things: Sequence[NamedThing]) -> dict[NamedThing, tu
             if short <= 0 or (have and tier is _same_head):
                 continue
             fits = [asset for asset in free if tier(asset, thing)]
+            alike = Counter(asset.category for asset in free if _same_head(asset, thing))
+            if not have and len(fits) < short <= max(alike.values(), default=0):
+                continue  # the chairs of the desks that are meant, and not the few of a table
             others = any(other.noun.kind == thing.noun.kind for other in things if other is not thing)
             greedy = thing.plural and thing.number is None and thing.times == 1 and not others
             taken = fits if greedy else fits[:short]
