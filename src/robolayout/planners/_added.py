@@ -205,7 +205,7 @@ class Added:
         there = {self.wishes.head(other) for other in self.wished.keys() - others if not visits(other)}
         there |= self.wishes.general - {self.wishes.head(other) for other in others}
         there |= {"chair"} if head(name) == "table" and SEATS & {*self.wished} else set()
-        there |= {"chair", *SEATS} if self._seated(name) else set()
+        there |= SEATS if self._seated(name) else set()  # a stool, beside the chair of a vanity
         if self.room.tables and head(name) == "desk" and "chair" not in map(head, self.wishes.things):
             there.discard("chair")  # those that are there are of the tables
         for other, each in self._companions(name).items():

@@ -39,7 +39,8 @@ class Attempt:
         rejected = {
             one.statement.number for one in self.reconciled.decisions if one.kept is None and one.statement.by == "user"
         }
-        return rejected >= {one.number for one in report.statements if not one.met}
+        unmet = {one.number for one in report.statements if not one.met}
+        return bool(unmet) and rejected >= unmet and len(report.violations) == len(unmet)
 
 
 def joined_traces(traces: Iterable[Trace]) -> Trace:

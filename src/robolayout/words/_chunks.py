@@ -57,7 +57,7 @@ class Chunker(ClosedWords):
         if (
             noun is not None
             and noun.said in small.SHARING
-            and all(c.value in (*small.SHARING, "studio") for c in found if c.kind == "room")
+            and all(c.value in small.SHARING for c in found if c.kind == "room")
         ):
             return chunk  # "a living room with a kitchen"
         return chunk if noun is None or chunk.det == "the" else replace(chunk, kind="thing", value="", noun=noun)

@@ -60,8 +60,6 @@ class RoomPart:
         if own or (area.kind == "room" and (usual or len(rooms) < 2)):
             return
         times = area.number or 1 + area.plural  # "two sitting areas"
-        narrow = any(grammar().sizes.get(word, (1.0,))[0] < 1.0 for word in area.adjectives)
-        kinds = dict.fromkeys(kinds, 1) if narrow and area.kind == "room" else kinds  # "a small kitchen"
         named_here = [thing for thing in said.things if not thing.implied]
         there = {thing.noun.kind for thing in named_here} | {m.thing.head for m in self.things}
         there |= small.SEATS if any(m.sat_on for m in self.things) else set[str]()

@@ -281,7 +281,7 @@ def _shared_out(things: Sequence[NamedThing], number: int) -> int:
         elif thing.people * ABREAST > wide and not thing.sizes:
             thing.sizes.append(Measure("wide", (round(thing.people * ABREAST, 2),), 0, 0))
         thing.people = 0  # they have their seats
-    for thing in (one for one in things if one.head == "table" and one.people > AT_A_TABLE and one.count > 1):
+    for thing in (one for one in things if one.head == "table" and one.people > AT_A_TABLE and (one.number or 1) > 1):
         # "three tables for twelve people" have twelve seats together
         number = number or bounded(thing.people, "people")
         thing.people = math.ceil(thing.people / thing.count)
