@@ -22,20 +22,15 @@ class BeneathConfig:
 
     ease: float = 0.01  # metres left between a thing and what it stands under
     step: float = 0.05  # metres between places that are tried
+    back: float = 10.0  # cost of a metre behind the edge for what is used from its front; a quarter turn costs 1, a metre aside -1
+    forward: float = 0.5  # cost of a metre forward for the rest
     least: float = 0.5  # share of its footprint that is under a thing that stands under another
     smaller: tuple[float, ...] = (0.9, 0.8, 0.7, 0.6)  # by how much a thing is made smaller that does not fit
     beside: float = 0.03  # metres that a worktop is larger than what is under it
-    worktops: tuple[str, ...] = (
-        "kitchen counter",
-        "kitchen cabinet",
-        "workbench",
-    )  # what is drawn as an open worktop then
-    left_out: tuple[str, ...] = (
-        "shelf",
-        "basket",
-        "drawer",
-        "pedestal",
-    )  # parts without which a thing has room below it
+    # what is drawn as an open worktop then
+    worktops: tuple[str, ...] = ("kitchen counter", "kitchen cabinet", "workbench")
+    # parts without which a thing has room below it
+    left_out: tuple[str, ...] = ("shelf", "basket", "drawer", "pedestal")
 
 
 BENEATH = BeneathConfig()
@@ -62,8 +57,10 @@ def places_beneath(upper: Asset, lower: Asset) -> tuple[Place, ...]:
         free = np.ones(len(x), np.bool_)
         for prism in barred:
             free &= ~_touches(prism, x, y, hx, hy)
-        ahead = np.stack([x + hx - long / 2, y + hy - wide / 2, -x + hx - long / 2, -y + hy - wide / 2])[quarter]
-        cost = quarter + -10.0 * ahead - np.abs(y) if fronted else -np.abs(y) + 0.5 * x + quarter
+        behind = (
+            (long, wide)[quarter % 2] / 2 - depth / 2 - (x, y, -x, -y)[quarter]
+        )  # from its front to the edge before it
+        cost = quarter - np.abs(y) + (BENEATH.back * behind if fronted else BENEATH.forward * x)
         turn = (0.0, math.pi / 2, math.pi, -math.pi / 2)[quarter]
         found += [(float(cost[i]), (float(x[i]), float(y[i]), turn)) for i in np.flatnonzero(free)]
     return tuple(place for _, place in sorted(found))
@@ -78,9 +75,8 @@ def with_room_below(upper: Asset, held: Sequence[Asset], each: int) -> Asset:
         return upper
     if upper.category in BENEATH.worktops:
         deep, wide, tall = (max(low.size[k] for low in held) + BENEATH.beside for k in range(3))
-        needed = (deep, each * wide + BENEATH.beside, tall + BENEATH.beside)
-        size = (max(upper.size[0], deep), max(upper.size[1], needed[1]), max(upper.size[2], needed[2]))
-        return replace(upper, like="open worktop", size=size)
+        d, w, h = map(max, upper.size, (deep, each * wide + BENEATH.beside, tall + BENEATH.beside))
+        return replace(upper, like="open worktop", size=(d, w, h))
     bare = replace(upper, without=(*upper.without, *BENEATH.left_out))
     return bare if clearance(bare, held[0].size[:2]) > clearance(upper, held[0].size[:2]) else upper
 
@@ -95,8 +91,7 @@ def clearance(upper: Asset, size: tuple[float, float]) -> float:
     """Return the greatest height in metres up to which a thing of a depth and width stands under another; 0 where nowhere."""
     heights = sorted({prism.low for prism in prisms_of(upper) if prism.low > BENEATH.ease}, reverse=True)
     tried = (height - 2 * BENEATH.ease for height in heights)
-    box = Asset("box", "box", (*size, 1.0))
-    return next((high for high in tried if places_beneath(upper, replace(box, size=(*size, high)))), 0.0)
+    return next((high for high in tried if places_beneath(upper, Asset("box", "box", (*size, high)))), 0.0)
 
 
 def _along(free: float) -> NDArray[np.float64]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Collection
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 from shapely import box
 from shapely.affinity import rotate, translate
@@ -80,9 +80,8 @@ def region_outcome(
         far = math.dist(middle, layout[asset.name].at) > reach + math.hypot(*asset.size[:2]) / 2
         if far or bottom >= high or top <= low:
             continue
-        area = common_area(strip, footprint(scene, layout, AssetRef(asset.name)))
-        if area > TOLERANCE.strip:
-            taken[asset.name] = area
-    worst = max(taken, key=taken.__getitem__, default="")
-    text = f"{taken[worst]:.2f} m2 of {worst} in the strip" if taken else "free"
-    return replace(Outcome.at_most(TOLERANCE.strip, taken.get(worst, 0.0), "m2", text), blamed=tuple(taken))
+        taken[asset.name] = common_area(strip, footprint(scene, layout, AssetRef(asset.name)))
+    blamed = tuple(name for name, area in taken.items() if area > TOLERANCE.strip)
+    worst = max(blamed, key=taken.__getitem__, default="")
+    text = f"{taken[worst]:.2f} m2 of {worst} in the strip" if blamed else "free"
+    return Outcome(not blamed, max(taken.values(), default=0.0), TOLERANCE.strip, "m2", text, blamed)

@@ -210,7 +210,7 @@ class Added:
             there.discard("chair")  # those that are there are of the tables
         for other, each in self._companions(name).items():
             if other not in self.spared and head(other) not in there:
-                most = int(min(each, self._sitting_at(name))) if head(other) == "chair" else each
+                most = self._sitting_at(name, each) if head(other) == "chair" else each
                 self.found[other] = self.found.get(other, 0) + count * self._at_open_sides(other, most)
 
     def _seated(self, name: str) -> bool:
@@ -219,15 +219,15 @@ class Added:
         own = (k for k in links if name in map(self.wishes.kind, named(k.objects)))
         return any(head(self.wishes.kind(one)) in ("chair", *SEATS) for k in own for one in named(k.subjects))
 
-    def _sitting_at(self, name: str) -> float:
-        """Return for how many a thing is at the most, by what is said to be on it: one at a computer, nobody at a printer."""
+    def _sitting_at(self, name: str, each: int) -> int:
+        """Return how many chairs a thing has of its usual ones, by what is said to be on it: one at a computer, nobody at a printer."""
         links = [link for link in self.wishes.reading.parsed.links if link.relation == "on"]
         on = (m.thing for k in links if name in map(self.wishes.kind, named(k.objects)) for m in k.subjects)
         roles = self.wishes.playing(map(self.wishes.kind, on)).values()
         first = {role.joins[0].of[0] for role in roles if role.joins}
         if first == {"office storage"} and name not in self.room.base:
-            return 0.0
-        return 1.0 if "desk" in first else math.inf
+            return 0
+        return 1 if "desk" in first else each
 
     def _at_open_sides(self, name: str, most: int) -> int:
         """Return how many of a thing are added: one where it usually stands beside what is asked into a corner, none beside free floor."""

@@ -53,7 +53,7 @@ PARTING = ("left_of({a}, {b}, {gap}, {most})", "align_with({a}, {b}, 90)")
 """What is said of a thing at the left of another, behind it, and at its left to part it from the next one."""
 
 PILED = replace(ON_ANY, say=(*ON_ANY.say, "centered_on({a}, {b})", "align_with({a}, {b})"))  # straight on each other
-BENEATH = Join("under", ())  # how a thing stands below another
+BELOW = Join("under", ())  # how a thing stands below another
 AROUND = Join("around", (), gap=GAPS.seated, all=("around({items}, {b}, gap={gap})",))  # how seats stand around a thing
 IN_THE_LIGHT = -3.0  # weight of the wish of what something hangs above to stand at a window
 
@@ -218,7 +218,7 @@ def _joins(demand: Demand, cast: Mapping[str, Cast], passage: float) -> Iterator
             b = cast[b.anchor]  # who sits before a screen sits before its stand
         asked = {one.name: one for one in demand.ways[0] if one.asset_names()[:1] == names[:1]}
         beneath = isinstance(relation, Under) and not a.asset.is_flat
-        join = BENEATH if beneath else _at_one_side(relation, asked) or _join(relation, a, b, asked, passage)
+        join = BELOW if beneath else _at_one_side(relation, asked) or _join(relation, a, b, asked, passage)
         if join is not None:
             told = join.say or join.all or (len(demand.ways) == 1 and b.name == names[1])
             yield a.name, (b.name, join if told else replace(join, say=usual_say(join.slot)))

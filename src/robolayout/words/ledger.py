@@ -381,9 +381,10 @@ def stand_ins(scene: Scene, things: Sequence[NamedThing]) -> dict[NamedThing, tu
             if short <= 0 or (have and tier is _same_head):
                 continue
             fits = [asset for asset in free if tier(asset, thing)]
-            alike = Counter(asset.category for asset in free if _same_head(asset, thing))
-            if not have and len(fits) < short <= max(alike.values(), default=0):
-                continue  # the chairs of the desks that are meant, and not the few of a table
+            if not have and len(fits) < short:
+                alike = Counter(asset.category for asset in free if _same_head(asset, thing))
+                if short <= max(alike.values(), default=0):
+                    continue  # the chairs of the desks are meant, and not the few of a table
             others = any(other.noun.kind == thing.noun.kind for other in things if other is not thing)
             greedy = thing.plural and thing.number is None and thing.times == 1 and not others
             taken = fits if greedy else fits[:short]

@@ -18,7 +18,7 @@ from robolayout.assets.surfaces import slots
 from robolayout.constraints import AssetRef
 from robolayout.constraints.around import Around, Slot, left_gap
 from robolayout.scene import Scene
-from robolayout.solve.build.joining import BENEATH
+from robolayout.solve.build.joining import BELOW
 from robolayout.solve.build.member import MARGIN, Member, Size, box_of, overlaps
 from robolayout.solve.build.tops import Top
 from robolayout.solve.build.wants import Want
@@ -161,7 +161,7 @@ class ClusterBuilder:
     def _aside_of(self, anchor: Want, placed: Sequence[Member], found: list[Member]) -> list[Member]:
         """Return seats before a thing as far aside as what stands under it leaves room for them, or where they are."""
         size = {m.name: self.wants[m.name].asset.size for m in (*placed, *found)}
-        below = [box_of(m, size[m.name]) for m in placed[1:] if self.wants[m.name].join == BENEATH]
+        below = [box_of(m, size[m.name]) for m in placed[1:] if self.wants[m.name].join == BELOW]
         far = anchor.asset.size[1] / 2
         for off in sorted(np.arange(-far, far, ASIDE), key=abs) if below else ():
             moved = [replace(m, y=m.y + float(off)) for m in found]

@@ -26,7 +26,7 @@ class Joining:
     tops: tuple[Surface, ...] = ()  # the places of the other thing on which it may lie, the best first
 
 
-BENEATH = Joining("under")
+BELOW = Joining("under")
 """How a thing stands below another."""
 
 

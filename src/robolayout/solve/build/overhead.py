@@ -16,6 +16,7 @@ from robolayout.constraints.above import Above
 from robolayout.floor import rect_points
 from robolayout.scene import Agent, Opening, Point, Wall
 from robolayout.scene.agent import horizontal_reach
+from robolayout.solve.build.cluster import Cluster
 from robolayout.solve.build.form import corners_of
 from robolayout.solve.build.member import Member
 from robolayout.solve.build.places import WALL_GAP, targets, wall_yaw
@@ -65,17 +66,18 @@ def hang(site: Site, names: Sequence[str], rng: np.random.Generator) -> None:
 
 def _hang_row(site: Site, names: Sequence[str]) -> bool:
     """Hang like things as far apart as what is demanded to stand before each needs; False where that is nothing or there is no wall."""
-    before = {name: [want for want in site.wants.values() if name in want.at and want.standing] for name in names}
-    if len(names) < 2 or not all(len(wants) == 1 for wants in before.values()):
+    before = [_standing_before(site, name) for name in names]
+    if len(names) < 2 or not all(len(wants) == 1 for wants in before):
         return False
-    wide = max(site.size(want.name)[1] for (want,) in before.values()) + HANGING.between
+    wide = max(site.size(want.name)[1] for (want,) in before) + HANGING.between
     along = [wide * (i - (len(names) - 1) / 2) for i in range(len(names))]
+    clusters = [site.clusters.build(want.name) for (want,) in before]
     best, row = HANGING.crowded, list[Spot]()
     for wall in site.room.walls:
         for t in np.arange(wide / 2 - along[0], wall.length - wide / 2 - along[-1], HANGING.step):
             found = [_hang_cost(site, name, wall, t + off) for name, off in zip(names, along, strict=True)]
             cost = sum(cost for cost, _ in found) / len(names)
-            cost += sum(map(partial(_clash_before, site), (before[name][0] for name in names), (s for _, s in found)))
+            cost += sum(map(partial(_clash_before, site), clusters, (spot for _, spot in found)))
             if cost < best:
                 best, row = cost, [spot for _, spot in found]
     for name, spot in zip(names, row, strict=False):
@@ -83,11 +85,17 @@ def _hang_row(site: Site, names: Sequence[str]) -> bool:
     return bool(row)
 
 
-def _clash_before(site: Site, want: Want, spot: Spot) -> float:
+def _standing_before(site: Site, name: str) -> list[Want]:
+    """Return what is demanded to stand at a hung thing: the chair of a mirror."""
+    return [want for want in site.wants.values() if want.standing and name in want.at]
+
+
+def _clash_before(site: Site, cluster: Cluster, spot: Spot) -> float:
     """Return the cost of the place of what stands before a hung thing."""
-    low, high = want.face.distance if want.face else (0.0, 0.0)
-    before = Member(want.name, (low + high) / 2, yaw=math.pi).moved(spot.member.x, spot.member.y, spot.member.yaw)
-    return float(site.clash(site.clusters.build(want.name), np.array([(before.x, before.y, before.yaw)]))[0])
+    face, at = site.wants[cluster.anchor].face, spot.member
+    low, high = face.distance if face else (0.0, 0.0)
+    before = Member(cluster.anchor, (low + high) / 2, yaw=math.pi).moved(at.x, at.y, at.yaw)
+    return float(site.clash(cluster, np.array([(before.x, before.y, before.yaw)]))[0])
 
 
 def _hang(site: Site, name: str, rng: np.random.Generator) -> None:
@@ -220,7 +228,7 @@ def _crowding(site: Site, name: str, member: Member) -> float:
     away = [math.hypot(m.x - member.x, m.y - member.y) for m in same]
     if not away:
         return 0.0
-    before = [site.size(want.name)[1] for want in site.wants.values() if want.standing and name in want.at]
+    before = [site.size(want.name)[1] for want in _standing_before(site, name)]
     if before:
         return HANGING.crowded * sum(max(0.0, max(before) + HANGING.between - far) for far in away)
     if any(weight > 0 for _, weight in site.wants[name].near):

@@ -43,7 +43,7 @@ from robolayout.constraints.toward import Toward
 from robolayout.constraints.under import Under
 from robolayout.program import Program, Statement
 from robolayout.scene import Asset, Scene
-from robolayout.solve.build.joining import AIM, BENEATH, DEMANDED, Facing, Joining
+from robolayout.solve.build.joining import AIM, BELOW, DEMANDED, Facing, Joining
 
 CLOSE = 3.0
 """Metres up to which what stands before, behind or beside a thing stands at it."""
@@ -330,7 +330,7 @@ class _Gathered:
             if isinstance(relation, Under) and not self.bare.asset.is_flat:
                 (over, *_) = relation.items
                 if places_beneath(self.scene.by_name[over.name], self.bare.asset):
-                    return over.name, BENEATH, demanded
+                    return over.name, BELOW, demanded
             if isinstance(relation, OnTopOf):
                 return relation.b.name, replace(self._on(relation.b), tops=relation.places(self.scene)), demanded
             if self.bare.asset.is_flat and isinstance(relation, NextTo | Toward):
