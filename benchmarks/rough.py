@@ -99,34 +99,34 @@ def _guesses(scene: Scene, good: Layout, carrier: dict[str, str], rng: random.Ra
     for asset in scene.assets:
         pose, (dx, dy) = good[asset.name], shift[asset.name]
         yaw = math.degrees(pose.yaw) + (180.0 if rng.random() < TURNED and asset.name not in carrier else 0.0)
-        yield f"{_said(scene, asset.name)}.position = [{pose.x + dx:.2f}, {pose.y + dy:.2f}, {pose.z:.2f}]"
-        yield f"{_said(scene, asset.name)}.rotation = [{round(yaw) % 360}]"
+        yield f"{said(scene, asset.name)}.position = [{pose.x + dx:.2f}, {pose.y + dy:.2f}, {pose.z:.2f}]"
+        yield f"{said(scene, asset.name)}.rotation = [{round(yaw) % 360}]"
 
 
 def _statements(scene: Scene, good: Layout, carrier: dict[str, str], rng: random.Random) -> Iterator[str]:
     """Yield what a model would say about a layout."""
-    said = partial(_said, scene)
+    named = partial(said, scene)
     for asset in scene.assets:
         name, facts = asset.name, list[str]()
         if name in carrier:
-            yield f"solver.on_top_of({said(name)}, {said(carrier[name])})"
+            yield f"solver.on_top_of({named(name)}, {named(carrier[name])})"
             continue
         wall = _wall(scene, good, asset)
         if wall is not None:
-            facts.append(f"solver.against_wall({said(name)}, walls[{wall}])")
+            facts.append(f"solver.against_wall({named(name)}, walls[{wall}])")
         other = _anchor(scene, good, asset, carrier)
         if other is not None:
             facts += _about(scene, good, asset, other, rng, turn=wall is None)
         if other is not None and rng.random() < WRONG:
             far = max(scene.assets, key=lambda one: (_apart(good, name, one.name), one.name)).name
-            facts.append(f"solver.distance_constraint({said(name)}, {said(far)}, None, 0.8)")
+            facts.append(f"solver.distance_constraint({named(name)}, {named(far)}, None, 0.8)")
         yield from (fact for fact in facts if rng.random() >= LEFT_OUT)
     yield from (line for line in _pairs(scene, good, carrier) if rng.random() < SAID)
 
 
 def _about(scene: Scene, good: Layout, asset: Asset, other: Asset, rng: random.Random, *, turn: bool) -> Iterator[str]:
     """Yield what holds between a thing and what it goes by; only what no wall holds is turned towards something."""
-    a, b = _said(scene, asset.name), _said(scene, other.name)
+    a, b = said(scene, asset.name), said(scene, other.name)
     away = _apart(good, asset.name, other.name)
     first, second = AssetRef(asset.name), AssetRef(other.name)
     if _holds(NextTo(first, second), scene, good) and rng.random() < SAID / 2:
@@ -149,7 +149,7 @@ def _pairs(scene: Scene, good: Layout, carrier: dict[str, str]) -> Iterator[str]
             continue
         pair = SymmetricPair(AssetRef(first.name), AssetRef(second.name), AssetRef(middle.name))
         if _holds(pair, scene, good):
-            names = ", ".join(_said(scene, one.name) for one in (first, second, middle))
+            names = ", ".join(said(scene, one.name) for one in (first, second, middle))
             yield f"solver.symmetric_pair({names})"
 
 
@@ -188,7 +188,7 @@ def _depth(name: str, carrier: dict[str, str]) -> int:
     return 1 + _depth(carrier[name], carrier) if name in carrier else 0
 
 
-def _said(scene: Scene, name: str) -> str:
+def said(scene: Scene, name: str) -> str:
     """Return how a program names an asset."""
     asset = scene.by_name[name]
     return f"{asset.variable}[{scene.variables[asset.variable].index(asset)}]"

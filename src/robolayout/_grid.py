@@ -30,7 +30,7 @@ def components(mask: Mask) -> tuple[NDArray[np.int32], NDArray[np.intp]]:
     count = np.maximum(high - low, 0)
     above = np.repeat(np.arange(len(start)), count)
     below = np.arange(len(above)) - np.repeat(np.cumsum(count) - count, count) + np.repeat(low, count)
-    root = _joined(len(start), above, below)
+    root = joined(len(start), above, below)
     first = root == np.arange(len(root))  # roots are first runs, so their order is row order
     number = np.cumsum(first)[root]
     numbers = np.zeros(2 * len(start) + 1, dtype=np.int32)  # of gaps and runs in turn
@@ -40,7 +40,7 @@ def components(mask: Mask) -> tuple[NDArray[np.int32], NDArray[np.intp]]:
     return labels.reshape(rows, width)[:, 1:-1], sizes
 
 
-def _joined(size: int, a: NDArray[np.intp], b: NDArray[np.intp]) -> NDArray[np.intp]:
+def joined(size: int, a: NDArray[np.intp], b: NDArray[np.intp]) -> NDArray[np.intp]:
     """Return for each of `size` things the smallest one joined to it by the pairs (a, b)."""
     root = np.arange(size)
     while True:

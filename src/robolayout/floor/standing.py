@@ -1,7 +1,6 @@
 """Where bodies can stand on the floor as it is furnished so far, and from which cells they use a thing.
 
-A rectangular body is looked at along and across the first door only, and turns where its whole turning circle is free. That is
-stricter than the verifier, which knows more headings: a room that serves here serves there.
+How a rectangular body gets there is in `lanes`.
 """
 
 from __future__ import annotations
@@ -13,11 +12,12 @@ from functools import cached_property
 
 import numpy as np
 
-from robolayout._grid import components, distance, within
+from robolayout._grid import components, within
 from robolayout.floor.cells import Cells, Mask, entered, turning_radius
 from robolayout.floor.config import FLOOR
 from robolayout.floor.furnished import Floor, Shadow
 from robolayout.floor.ground import cells_about, used_from
+from robolayout.floor.lanes import either_way, free_ways
 from robolayout.floor.targets import SIDES, use_of
 from robolayout.scene import Agent, Asset
 
@@ -46,7 +46,7 @@ class Standing:
     @cached_property
     def ways(self) -> tuple[Mask, ...]:
         """The same along and across the way in by the first door; a disc has one way round."""
-        return (self.easy,) if self.agent.length is None else _either_way(self.floor, self.agent)
+        return (self.easy,) if self.agent.length is None else either_way(self.floor, self.agent)
 
     def makes_way(self, use: Cells, chairs: Sequence[Shadow]) -> bool:
         """Whether it gets on from where it stands to some cells of a use, once it has moved some chairs away."""
@@ -64,7 +64,7 @@ class Standing:
         taken = ~floor.inside[window] | (body[window] > 0)
         wanted = np.zeros(body.shape, np.bool_)
         wanted[x, y] = True
-        for way, free in zip(self.ways, _free(floor, taken, self.agent), strict=True):
+        for way, free in zip(self.ways, free_ways(floor, taken, self.agent), strict=True):
             labels, sizes = components(free)
             here = np.zeros(len(sizes) + 1, np.bool_)
             here[labels[way[window] & free]] = True
@@ -97,53 +97,6 @@ def _turning(floor: Floor, agent: Agent, main: Mask) -> Mask:
     labels, sizes = components(floor.clear >= turning_radius(agent) / floor.cell + 1.0)
     here = entered(labels, sizes, floor.door)  # what it turns on from the landing is joined to the door, straight in
     return labels == here if here else np.zeros_like(main)
-
-
-def _either_way(floor: Floor, agent: Agent) -> tuple[Mask, Mask]:
-    """Return where a rectangular body can stand along and across the door's direction, having come in straight."""
-    room = floor.room
-    along, across = (components(free) for free in _free(floor, ~floor.inside | (floor.body > 0), agent))
-    way_in = room.way_in(agent.length or 0.0, agent.width or 0.0, 2 * floor.cell) if room.doors else None
-    here = entered(*along, None if way_in is None else floor.cells(np.array(way_in)))
-    if not here:
-        return np.zeros_like(floor.inside), np.zeros_like(floor.inside)
-    turns = np.nonzero(floor.clear >= turning_radius(agent) / floor.cell + 1.0)
-    wide = len(across[1]) + 1
-    pairs = np.stack(np.divmod(np.flatnonzero(np.bincount(along[0][turns] * wide + across[0][turns])), wide), axis=1)
-    ways, turned = np.zeros(len(along[1]) + 1, np.bool_), np.zeros(len(across[1]) + 1, np.bool_)
-    ways[here] = True
-    for _ in range(len(pairs)):
-        before = ways.sum() + turned.sum()
-        turned[pairs[ways[pairs[:, 0]], 1]] = True
-        ways[pairs[turned[pairs[:, 1]], 0]] = True
-        if ways.sum() + turned.sum() == before:
-            break
-    ways[0] = turned[0] = False
-    return ways[along[0]], turned[across[0]]
-
-
-def _free(floor: Floor, taken: Mask, agent: Agent) -> tuple[Mask, ...]:
-    """Return where a body touches none of the cells taken, of the grid or a part of it: a disc; along and across the door."""
-    if agent.length is None:
-        limit = agent.radius / floor.cell + 1.0
-        return (distance(np.pad(~taken, 1), limit + 1.0)[1:-1, 1:-1] >= limit,)
-    nx, ny = floor.room.walls[floor.room.doors[0].wall if floor.room.doors else 0].normal
-    return _fits(floor.cell, taken, agent, (nx, ny)), _fits(floor.cell, taken, agent, (-ny, nx))
-
-
-def _fits(cell: float, taken: Mask, agent: Agent, heading: tuple[float, float]) -> Mask:
-    """Return the cells on which a rectangular body with a heading touches nothing."""
-    (nx, ny), rim = taken.shape, math.ceil(agent.circumradius / cell) + 2
-    blocked = np.pad(taken, rim, constant_values=True)
-    width, blocked = ny + 2 * rim, blocked.ravel()
-    for (dx, dy), extent in ((heading, agent.length or 0.0), ((-heading[1], heading[0]), agent.width or 0.0)):
-        spread = blocked.copy()
-        for step in range(1, int(extent / 2 / cell + 0.5) + 1):
-            shift = abs(round(step * dx) * width + round(step * dy))  # the rim keeps one row's steps out of the next
-            spread[shift:] |= blocked[:-shift]
-            spread[:-shift] |= blocked[shift:]
-        blocked = spread
-    return ~blocked.reshape(nx + 2 * rim, width)[rim:-rim, rim:-rim]
 
 
 def use_cells(

@@ -20,6 +20,7 @@ from robolayout.run.result import Attempt, Clock, Progress, Result
 from robolayout.run.verdict import make_judge
 from robolayout.scene import DRESSINGS, Layout, Pose, Scene, load_agents
 from robolayout.solve import (
+    EFFORTS,
     PAPER,
     UNREFINED,
     Solution,
@@ -370,7 +371,7 @@ def _bettered(
     hopeless = config.effort.hopeless(best.verdict.broken, len(scene.assets))
     if hopeless or _said_holds(scene, program, best):
         return best
-    brief = config.at("quick")
+    brief = replace(config, effort=config.effort.at_most(EFFORTS["quick"]))
     ways = tuple(islice(_ways(scene, program, best), FLOW.most_ways))
 
     def rank(found: Solution) -> tuple[float, int]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import astuple, dataclass, replace
 
 from robolayout._errors import among
 
@@ -61,6 +61,10 @@ class Effort:
     def hopeless(self, broken: float, things: int) -> bool:
         """Return whether of so many things too much is out of place or out of reach to be mended soon (`Verdict.broken`)."""
         return broken > self.blind * things
+
+    def at_most(self, other: Effort) -> Effort:
+        """Return the lesser of each count of two schedules."""
+        return Effort(*map(min, zip(astuple(self), astuple(other), strict=True)))
 
 
 EFFORTS: Mapping[str, Effort] = {
