@@ -15,7 +15,7 @@ import pytest
 import robolayout as rl
 from robolayout._errors import SceneError
 from robolayout.planners import OfflinePlanner, PlanRequest
-from robolayout.run import flow
+from robolayout.run import bettering
 from robolayout.scene import Opening, layout_from_dict
 from running import ROOT, Furnished
 
@@ -227,8 +227,8 @@ def test_other_ways_are_not_tried_for_a_drawer_that_stays_shut(monkeypatch: pyte
     scene = rl.load_scene("examples/bedroom.json")
     found = rl.generate(scene)
     program, best = found.reconciled.program, replace(found.solution, verdict=replace(found.solution.verdict, soft=0.5))
-    monkeypatch.setattr(flow, "compile_problem", lambda *_, **__: pytest.fail("a way was built"))
-    assert flow._bettered(scene, program, best, seed=0, config=None) is best
+    monkeypatch.setattr(bettering, "compile_problem", lambda *_, **__: pytest.fail("a way was built"))
+    assert bettering.bettered(scene, program, best, seed=0, config=None) is best
 
 
 def test_what_a_program_forgets_stands_as_is_usual() -> None:

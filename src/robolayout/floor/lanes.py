@@ -26,7 +26,7 @@ Labels = NDArray[np.int32]
 def either_way(floor: Floor, agent: Agent) -> tuple[Mask, Mask]:
     """Return where a body can stand along and across the door's direction, having come in straight."""
     length, width = agent.length or 0.0, agent.width or 0.0
-    free, clear = free_ways(floor, ~floor.inside | (floor.body > 0), agent), floor.clear * floor.cell - floor.cell
+    free, clear = free_ways(floor, ~floor.inside | (floor.body > 0), agent), floor.clear * floor.cell
     room, swerve = floor.room, clear >= (width * math.cos(SWERVE) + length * math.sin(SWERVE)) / 2
     lanes = [_lanes(floor, agent, way, across=k == 1) for k, way in enumerate(free)]
     aside = [components(way & swerve)[0] for way in free]

@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Generator, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Generator, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from itertools import islice
 from pathlib import Path
 from typing import Any
 
@@ -14,19 +13,17 @@ from robolayout._reading import whole
 from robolayout.floor import FLOOR, cell_size
 from robolayout.planners import Critic, Group, GroupPlanner, OfflinePlanner, Planner, PlanRequest
 from robolayout.program import Program, Reconciled, read_program, reconcile
+from robolayout.run.bettering import bettered
 from robolayout.run.editing import as_it_was, hung, supported, told
 from robolayout.run.given import as_scene, as_start, as_text, completed, guesses_of, pinned_poses
 from robolayout.run.result import Attempt, Clock, Progress, Result
 from robolayout.run.verdict import make_judge
 from robolayout.scene import DRESSINGS, Layout, Pose, Scene, load_agents
 from robolayout.solve import (
-    EFFORTS,
     PAPER,
     UNREFINED,
     Solution,
-    Solver,
     SolverConfig,
-    askew,
     compile_problem,
     dress,
     silent,
@@ -47,10 +44,6 @@ class FlowConfig:
     forlorn: float = 0.25  # share of assets amiss after all these programs from which on no other is asked for
     many: int = 70  # things from which on two programs are asked for at most
     coarse: float = 0.25  # metres of a cell of the search's floor from which on the report says so
-    most_ways: int = 6  # ways of open statements (the corners of a room) that are tried where one is not met
-    solved_ways: int = 3  # how many of them, nearest to right as built, are searched
-    again: int = 2  # attempts at building each, where whole rooms are built up to twelve times
-    worse: float = 2.0  # `Verdict.promise` by which these may be worse than what is to be bettered: they are to be mended, not made
     attempt_stride: int = 1000  # added to the planner's seed for each further attempt
 
 
@@ -188,7 +181,7 @@ class Run:
             return best
         with self.clock.station("solve"):
             given: dict[str, Any] = {"seed": seed, "config": self.config, "progress": self.say}
-            return replace(best, solution=_bettered(self.scene, best.reconciled.program, best.solution, **given))
+            return replace(best, solution=bettered(self.scene, best.reconciled.program, best.solution, **given))
 
     def edited(self, planner: Planner, program: str | None, start: Layout, pinned: Mapping[str, Pose]) -> Attempt:
         """Mend a layout with the least change; what it does not place is planned and fitted in."""
@@ -342,69 +335,7 @@ def solve(  # noqa: PLR0913 - as `generate`
     best = solve_with(solver, problem, judge, seed=seed, config=config, progress=progress)
     if not ways or solver != "default":
         return best
-    return _bettered(scene, program, best, seed=seed, config=config, pinned=pinned, progress=progress)
-
-
-def _bettered(
-    scene: Scene,
-    program: Program,
-    best: Solution,
-    *,
-    seed: int,
-    config: SolverConfig | None,
-    pinned: Mapping[str, Pose] | None = None,
-    progress: Progress | None = None,
-) -> Solution:
-    """Return the best of a solution, mended for longer, and those with other ways of what the program leaves open.
-
-    Other ways are for rooms that lack little but a statement. They begin with the room as it stands, which is soon done, and then
-    with rooms that are built for them; of equals the one with the fewest things askew is taken.
-    """
-    judge, config = make_judge(scene, program), config or SolverConfig()
-    if best.verdict.broken and not any(guess.position is not None for guess in program.guesses.values()):
-        problem = replace(
-            compile_problem(scene, program, seed=seed, pinned=pinned, built=best.layout), guess=best.layout
-        )
-        longer = Solver(problem, judge, config, seed=seed, progress=progress or silent).mend()
-        best = min(best, replace(longer, trace=best.trace), key=lambda one: one.verdict.merit)
-    # drawers that stay shut are no statements
-    hopeless = config.effort.hopeless(best.verdict.broken, len(scene.assets))
-    if hopeless or _said_holds(scene, program, best):
-        return best
-    brief = replace(config, effort=config.effort.at_most(EFFORTS["quick"]))
-    ways = tuple(islice(_ways(scene, program, best), FLOW.most_ways))
-
-    def rank(found: Solution) -> tuple[float, int]:
-        return found.verdict.merit, sum(askew(scene.room, pose.yaw) != 0.0 for pose in found.layout.values())
-
-    before = rank(best)[1]
-    for built in (best.layout, None) if len(program.guesses) < len(scene.assets) else (None,):
-        problems = [
-            compile_problem(scene, way, seed=seed, pinned=pinned, built=built, attempts=FLOW.again) for way in ways
-        ]
-        ranked = sorted((judge(one.guess).promise, i) for i, one in enumerate(problems))[: FLOW.solved_ways]
-        for problem in (problems[i] for amiss, i in ranked if amiss <= best.verdict.promise + FLOW.worse):
-            found = solve_with("default", problem, judge, seed=seed, config=brief, progress=progress)
-            best = min(best, found, key=rank)
-            if _said_holds(scene, program, best) and rank(best)[1] <= before:
-                return best
-    return best
-
-
-def _said_holds(scene: Scene, program: Program, found: Solution) -> bool:
-    """Return whether every statement of a program holds in what was found."""
-    return all(one.relation.check(scene, found.layout).met for one in program.statements)
-
-
-def _ways(scene: Scene, program: Program, found: Solution) -> Iterator[Program]:
-    """Yield a program with each way of a statement that leaves one open (a corner) and is about something to blame."""
-    blamed = set(found.verdict.culprits)
-    for i, statement in enumerate(program.statements):
-        if blamed.intersection(statement.relation.asset_names()):
-            for way in statement.relation.ways(scene):
-                settled = (replace(statement, relation=one) for one in way)
-                changed = (*program.statements[:i], *settled, *program.statements[i + 1 :])
-                yield replace(program, statements=changed)
+    return bettered(scene, program, best, seed=seed, config=config, pinned=pinned, progress=progress)
 
 
 def solve_many(

@@ -102,7 +102,7 @@ class BuildPass:
         self.calm = seed == number == 0  # whether it follows the wishes to the letter
         self.noise = 0.0 if self.calm else COSTS.noise
         self.steps: list[_Step] = []
-        self.lost: list[str] = self.site.unreached() if self.site.spots else []
+        self.lost: list[str] = _harm(self.site)[1] if self.site.spots else []
         self.trials = COSTS.trials
 
     def furnish_floor(self) -> float:
@@ -120,26 +120,31 @@ class BuildPass:
 
     def total(self) -> float:
         """Return the cost of the room as it is."""
-        return sum(step.cost for step in self.steps) + looks(self.site) + _harm(self.site)
+        return sum(step.cost for step in self.steps) + looks(self.site) + _harm(self.site)[0]
+
+    @property
+    def unreached(self) -> list[str]:
+        """What the agents do not get to or cannot use."""
+        return _harm(self.site)[1]
 
     @property
     def serves(self) -> bool:
         """Whether everything is reached and used, and every door and drawer opens."""
-        return _harm(self.site) < COSTS.unreached and all(step.cost < COSTS.shut for step in self.steps)
+        return _harm(self.site)[0] < COSTS.unreached and all(step.cost < COSTS.shut for step in self.steps)
 
     def _move_some(self) -> bool:
         """Take some clusters out and put each where it is less in the way; False if nothing gets better."""
-        before, steps, site = _harm(self.site), self.steps, self.site
+        before, steps, site = _harm(self.site)[0], self.steps, self.site
         if before < COSTS.unreached:
             return False
         self.trials = 2 * COSTS.trials
         for out in self._in_the_way(before):
             self.site, self.steps = self._without(out), [step for step in steps if step not in out]
-            self.lost = self.site.unreached()
+            self.lost = self.unreached
             for step in out:
                 if step.cluster is not None:
                     self._place(step.cluster, step.modes, step.weights)
-            if _harm(self.site) < before - COSTS.unreached / 2:
+            if _harm(self.site)[0] < before - COSTS.unreached / 2:
                 return True
             self.site, self.steps = site, steps
         return False
@@ -147,9 +152,9 @@ class BuildPass:
     def _in_the_way(self, harm: float) -> Iterator[list[_Step]]:
         """Yield what to move: single things without which more is reached, then what stands around the unreached."""
         movable = [step for step in self.steps if step.cluster is not None]
-        left = [(_harm(self._without([step], trial=True)), i) for i, step in enumerate(movable)]
+        left = [(_harm(self._without([step], trial=True))[0], i) for i, step in enumerate(movable)]
         yield from ([movable[i]] for value, i in sorted(left)[: COSTS.singles] if value < harm - COSTS.unreached / 2)
-        for name in self.site.unreached()[: COSTS.singles]:
+        for name in self.unreached[: COSTS.singles]:
             here = self.site.spots[name].member
             near = sorted(range(len(movable)), key=lambda i: self._apart(movable[i], here))
             yield from ([movable[i] for i in sorted(near[:count])] for count in COSTS.around)
@@ -319,8 +324,7 @@ class BuildPass:
             if not fault:
                 trial = self.site.copy(trial=True)
                 _put(trial, batch, row)
-                lost = trial.unreached(self.lost)
-                harm = COSTS.unreached * (len(lost) - len(self.lost)) + COSTS.cut_off * trial.cut_off
+                harm, lost = _harm(trial, self.lost, math.inf if best is None else best[0] - cost)
                 left[cost + harm] = lost
                 rejected.append((cost, batch, row))
             if best is None or cost + harm < best[0]:
@@ -411,7 +415,7 @@ class BuildPass:
     def _best_grid(self, clusters: Sequence[Cluster], ranked: Sequence[GridChoice], limit: float) -> GridChoice | None:
         """Return the best place of a grid, with what it costs in all; None if all cost more than a limit."""
         best: GridChoice | None = None
-        before, tried = self.site.unreached(), 0
+        before, tried = _harm(self.site)[1], 0
         for cost, plan, batch, row in sorted(ranked, key=lambda entry: entry[0]):
             if cost > limit or tried >= 3 * COSTS.trials or (best is not None and cost > best[0]):
                 break
@@ -419,13 +423,19 @@ class BuildPass:
                 tried += 1
                 trial = self.site.copy(trial=True)
                 put_grid(trial, clusters, plan, batch.poses[row])
-                harm = COSTS.unreached * (len(trial.unreached(before)) - len(before)) + COSTS.cut_off * trial.cut_off
-                harm /= len(clusters) ** 0.5
+                worse = limit if best is None else best[0]
+                harm = _harm(trial, before, (worse - cost) * len(clusters) ** 0.5)[0] / len(clusters) ** 0.5
                 if best is None or cost + harm < best[0]:
                     best = (cost + harm, plan, batch, row)
         return best if best is not None and best[0] <= limit else None
 
 
-def _harm(site: Site) -> float:
-    """Return the cost of what the agents do not get to or cannot use, and of the floor that is cut off."""
-    return COSTS.unreached * len(site.unreached()) + COSTS.cut_off * site.cut_off
+def _harm(site: Site, known: Sequence[str] = (), limit: float = math.inf) -> tuple[float, list[str]]:
+    """Return the cost of what the agents do not get to or cannot use, and of the floor that is cut off; and what that is.
+
+    What was `known` to be so costs nothing; above a limit only that it is above is known.
+    """
+    site.survey()
+    cut = COSTS.cut_off * site.cut_off
+    lost = site.unreached(known, len(known) + (limit - cut) / COSTS.unreached)
+    return COSTS.unreached * (len(lost) - len(known)) + cut, lost

@@ -72,7 +72,7 @@ def _furnish(empty: Site, given: Mapping[str, Pose], seed: int, most: int) -> Si
         missed |= attempt.missed
         if best is None or cost < best[0]:
             best = (cost, attempt)
-        forlorn = forlorn and len(attempt.site.unreached()) > ATTEMPTS.forlorn * count
+        forlorn = forlorn and len(attempt.unreached) > ATTEMPTS.forlorn * count
         if forlorn and number + 1 >= ATTEMPTS.enough:
             break
         if number >= ATTEMPTS.patience and not best[1].serves and (number == ATTEMPTS.patience or best[1] is attempt):

@@ -164,17 +164,22 @@ class Site:
         """Find out where the agents get to over the floor as it is furnished now."""
         self.standings = tuple(standing(self.floor, agent) for agent in self.scene.agents)
 
-    def unreached(self, known: Sequence[str] = ()) -> list[str]:
+    def unreached(self, known: Sequence[str] = (), most: float = math.inf) -> list[str]:
         """Return the assets that some agent of the scene cannot get to or cannot use, moving chairs away where it has an arm.
 
         Args:
             known: Some that were so before more was put down: they are so still.
+            most: How many may be so; of more than that no further ones are looked for.
         """
-        self.survey()
         short = [name for name, claim in self.claims.items() if name not in known and not self.serves(claim)]
         chairs = [name for name in self.claims if self._is_chair(name)] if short else []
         feet = np.array([self.claims[name].foot for name in chairs], dtype=object)
-        return [*known, *(name for name in short if not self._makes_way(name, chairs, feet))]
+        found = [*known]
+        for name in short:
+            if len(found) > most:
+                break
+            found += [name] * (not self._makes_way(name, chairs, feet))
+        return found
 
     def serves(self, claim: Claim) -> bool:
         """Whether every agent gets to a thing and stands on some of the cells from which it uses it."""
