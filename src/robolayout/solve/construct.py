@@ -236,4 +236,6 @@ class Builder:
         missed = self.score.statements(slot, places, world, site.settled)
         cost = cost + BUILDING.broken * broken + BUILDING.said * missed + self.rng.random(len(places)) * 0.01
         cost += BUILDING.away * np.hypot(*(places[:, :2] - world[slot, :2]).T)
-        return cost + BUILDING.cramped * self._cramped(slot, places, world, site)
+        least = broken == broken.min()  # what breaks more is not taken, however much room it leaves
+        cost[least] += BUILDING.cramped * self._cramped(slot, places[least], world, site)
+        return cost

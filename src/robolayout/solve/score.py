@@ -128,12 +128,12 @@ class Score:
     def _overlaps(self, slot: int, poses: Floats, world: Floats, pairs: NDArray[np.int32]) -> Floats:
         """Return how deep the prisms of pairs are in each other, plus the margin (m, p)."""
         arrays, depth = self._arrays, np.zeros((len(poses), len(pairs)))
-        other = arrays.prism_slot[pairs[:, 1]]
+        other, of = np.unique(arrays.prism_slot[pairs[:, 1]], return_inverse=True)
         near = self._radius[slot] + self._radius[other] + self._weights.margin
         apart = np.hypot(poses[:, 0, None] - world[other, 0], poses[:, 1, None] - world[other, 1])
-        at, which = np.nonzero(apart < near)
+        at, which = np.nonzero((apart < near)[:, of])
         mine, theirs = (arrays.prism[pairs[which, side]] for side in (0, 1))
-        one, two = (Body(*place.T, *np.zeros((3, 1))) for place in (poses[at], world[other[which]]))
+        one, two = (Body(*place.T, *np.zeros((3, 1))) for place in (poses[at], world[other[of[which]]]))
         gap = cut_separation(within(one, mine), within(two, theirs), mine[:, 4], theirs[:, 4])
         depth[at, which] = np.maximum(self._weights.margin - gap, 0.0)
         return depth
