@@ -40,7 +40,10 @@ CONFIGS: dict[str, SolverConfig] = {
 }
 """What is left out. The default has 16 starts."""
 
-CROWDS = tuple(Crowd(count, 0.45, seed) for count in (10, 20) for seed in range(3))
+CROWDS = (
+    *(Crowd(count, 0.45, seed) for count in (10, 20) for seed in range(2)),
+    *(Crowd(n, 0.30, 0) for n in (20, 40)),
+)
 SAID = ("bedroom", "tasks/bedroom_medium", "tasks/childrens_room_medium", "tasks/cafe")
 """Examples that are solved for a wheelchair from statements alone."""
 

@@ -30,7 +30,7 @@ def either_way(floor: Floor, agent: Agent) -> tuple[Mask, Mask]:
     room, swerve = floor.room, clear >= (width * math.cos(SWERVE) + length * math.sin(SWERVE)) / 2
     lanes = [_lanes(floor, agent, way, across=k == 1) for k, way in enumerate(free)]
     aside = [components(way & swerve)[0] for way in free]
-    turns = (clear >= turning_radius(agent)) & free[0] & free[1]
+    turns = (clear >= turning_radius(agent) + floor.cell) & free[0] & free[1]
     grids = [*lanes, *aside]
     first = np.cumsum([0, *(int(grid.max(initial=0)) for grid in grids)])
     pairs = [
