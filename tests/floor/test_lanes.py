@@ -49,16 +49,17 @@ def test_an_empty_room_is_driven_all_over() -> None:
 
 
 def test_from_lane_to_lane_needs_room_to_swerve_unless_the_body_slides() -> None:
-    """The way on is beside the way in, behind blocks between which there is just the body's length."""
-    gap = (WHEELCHAIR.length or 0.0) + 0.04
-    blocks = [(1.8, 0.0, 6.0, 1.5), (0.0, 1.5 + gap, 1.7, 5.0), (2.9, 1.5 + gap, 6.0, 5.0)]
-    floor, *_ = furnished(ROOM, blocks)
-    drives, slides = WHEELCHAIR, replace(WHEELCHAIR, turning_radius=None)
-    assert gets_to(either_way(floor, slides), floor, 2.3, 4.0)[0]
-    assert gets_to(either_way(floor, drives), floor, 2.3, 4.0) == (False, False)
-    wider = [(1.8, 0.0, 6.0, 1.5), (0.0, 3.4, 1.7, 5.0), (2.9, 3.4, 6.0, 5.0)]
-    floor, *_ = furnished(ROOM, wider)
-    assert gets_to(either_way(floor, drives), floor, 2.3, 4.0)[0]
+    """The way on is beside the way in, at the end of a corridor as wide as a swerve takes, or not."""
+
+    def corridor(left: float) -> Floor:
+        sides = [(0.0, 0.0, left, 3.0), (2.1, 0.0, 6.0, 5.0)]
+        return furnished(ROOM, [*sides, (0.0, 3.0, 1.2, 5.0)])[0]
+
+    slides, there = replace(WHEELCHAIR, turning_radius=None), (1.64, 4.2)
+    narrow, wide = corridor(0.9), corridor(0.5)
+    assert gets_to(either_way(narrow, slides), narrow, *there)[0]
+    assert gets_to(either_way(narrow, WHEELCHAIR), narrow, *there) == (False, False)
+    assert gets_to(either_way(wide, WHEELCHAIR), wide, *there)[0]
 
 
 def test_without_a_door_the_largest_part_counts() -> None:
