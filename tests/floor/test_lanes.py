@@ -51,12 +51,12 @@ def test_an_empty_room_is_driven_all_over() -> None:
 def test_from_lane_to_lane_needs_room_to_swerve_unless_the_body_slides() -> None:
     """The way on is beside the way in, at the end of a corridor as wide as a swerve takes, or not."""
 
-    def corridor(left: float) -> Floor:
-        sides = [(0.0, 0.0, left, 3.0), (2.1, 0.0, 6.0, 5.0)]
-        return furnished(ROOM, [*sides, (0.0, 3.0, 1.2, 5.0)])[0]
+    def corridor(left: float, right: float) -> Floor:
+        slot = [(0.0, 3.0, 1.2, 5.0), (2.1, 3.0, 6.0, 5.0)]
+        return furnished(ROOM, [(0.0, 0.0, left, 3.0), (right, 0.0, 6.0, 3.0), *slot])[0]
 
     slides, there = replace(WHEELCHAIR, turning_radius=None), (1.64, 4.2)
-    narrow, wide = corridor(0.9), corridor(0.5)
+    narrow, wide = corridor(0.9, 2.1), corridor(0.5, 2.4)
     assert gets_to(either_way(narrow, slides), narrow, *there)[0]
     assert gets_to(either_way(narrow, WHEELCHAIR), narrow, *there) == (False, False)
     assert gets_to(either_way(wide, WHEELCHAIR), wide, *there)[0]
