@@ -39,10 +39,10 @@ def either_way(floor: Floor, agent: Agent) -> tuple[Mask, Mask]:
     ]
     root = joined(int(first[-1]) + 1, *np.concatenate(pairs).T)
     way_in = room.way_in(length, width, 2 * floor.cell) if room.doors else None
-    if way_in is None:
-        begins = np.bincount(root[lanes[0][free[0]]]).argmax(keepdims=True) if free[0].any() else np.array([], np.intp)
-    else:
-        begins = root[lanes[0][floor.cells(np.array(way_in)) & free[0]]]
+    door = True if way_in is None else floor.cells(np.array(way_in))
+    begins = root[lanes[0][free[0] & door]]
+    if way_in is None:  # where there is most room
+        begins = begins[begins == np.bincount(begins, minlength=1).argmax()]
     there = np.isin(root, begins)
     return there[lanes[0]] & free[0], there[lanes[1] + first[1]] & free[1]
 
