@@ -42,9 +42,11 @@ CONFIGS: dict[str, SolverConfig] = {
 
 CROWDS = (
     *(Crowd(count, 0.45, seed) for count in (10, 20) for seed in range(2)),
-    *(Crowd(n, 0.30, 0) for n in (20, 40)),
+    *(Crowd(count, 0.30, 0) for count in (20, 40)),
 )
-SAID = ("bedroom", "tasks/bedroom_medium", "tasks/childrens_room_medium", "tasks/cafe")
+"""Rooms that are solved by programs with blind guesses."""
+
+EXAMPLES = ("bedroom", "tasks/bedroom_medium", "tasks/childrens_room_medium", "tasks/cafe")
 """Examples that are solved for a wheelchair from statements alone."""
 
 ROUGH = TASKS[::3] + TASKS[1::3]
@@ -60,7 +62,7 @@ def cases(quick: bool) -> Iterator[tuple[str, Callable[[], Row]]]:
     for name, config in list(CONFIGS.items())[:2] if quick else CONFIGS.items():
         for asked in (Crowd(10, 0.45, 0),) if quick else CROWDS:
             yield f"{name}/crowded rooms/{asked.key}", partial(blind, asked, config)
-        for room in () if quick else SAID:
+        for room in () if quick else EXAMPLES:
             yield f"{name}/planner's statements/{room.rpartition('/')[2]}", partial(unguided, room, config)
         for task in () if quick else ROUGH:
             yield f"{name}/rough programs/{task}", partial(guided, task, config)

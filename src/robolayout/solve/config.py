@@ -63,7 +63,7 @@ class Effort:
         return broken > self.blind * things
 
     def at_most(self, other: Effort) -> Effort:
-        """Return the lesser of each count of two schedules."""
+        """Return the lesser of each number of two schedules."""
         return Effort(*map(min, zip(astuple(self), astuple(other), strict=True)))
 
 

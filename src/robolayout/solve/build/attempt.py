@@ -102,7 +102,7 @@ class BuildPass:
         self.calm = seed == number == 0  # whether it follows the wishes to the letter
         self.noise = 0.0 if self.calm else COSTS.noise
         self.steps: list[_Step] = []
-        self.lost: list[str] = _harm(self.site)[1] if self.site.spots else []
+        self.lost: list[str] = self.unreached if self.site.spots else []
         self.trials = COSTS.trials
 
     def furnish_floor(self) -> float:
@@ -120,7 +120,12 @@ class BuildPass:
 
     def total(self) -> float:
         """Return the cost of the room as it is."""
-        return sum(step.cost for step in self.steps) + looks(self.site) + _harm(self.site)[0]
+        return sum(step.cost for step in self.steps) + looks(self.site) + self.harm
+
+    @property
+    def harm(self) -> float:
+        """Cost of what the agents do not get to or cannot use, and of the floor that is cut off."""
+        return _harm(self.site)[0]
 
     @property
     def unreached(self) -> list[str]:
@@ -130,11 +135,11 @@ class BuildPass:
     @property
     def serves(self) -> bool:
         """Whether everything is reached and used, and every door and drawer opens."""
-        return _harm(self.site)[0] < COSTS.unreached and all(step.cost < COSTS.shut for step in self.steps)
+        return self.harm < COSTS.unreached and all(step.cost < COSTS.shut for step in self.steps)
 
     def _move_some(self) -> bool:
         """Take some clusters out and put each where it is less in the way; False if nothing gets better."""
-        before, steps, site = _harm(self.site)[0], self.steps, self.site
+        before, steps, site = self.harm, self.steps, self.site
         if before < COSTS.unreached:
             return False
         self.trials = 2 * COSTS.trials
@@ -144,7 +149,7 @@ class BuildPass:
             for step in out:
                 if step.cluster is not None:
                     self._place(step.cluster, step.modes, step.weights)
-            if _harm(self.site)[0] < before - COSTS.unreached / 2:
+            if self.harm < before - COSTS.unreached / 2:
                 return True
             self.site, self.steps = site, steps
         return False
@@ -415,7 +420,7 @@ class BuildPass:
     def _best_grid(self, clusters: Sequence[Cluster], ranked: Sequence[GridChoice], limit: float) -> GridChoice | None:
         """Return the best place of a grid, with what it costs in all; None if all cost more than a limit."""
         best: GridChoice | None = None
-        before, tried = _harm(self.site)[1], 0
+        before, tried = self.unreached, 0
         for cost, plan, batch, row in sorted(ranked, key=lambda entry: entry[0]):
             if cost > limit or tried >= 3 * COSTS.trials or (best is not None and cost > best[0]):
                 break

@@ -165,7 +165,7 @@ class Site:
         self.standings = tuple(standing(self.floor, agent) for agent in self.scene.agents)
 
     def unreached(self, known: Sequence[str] = (), most: float = math.inf) -> list[str]:
-        """Return the assets that some agent of the scene cannot get to or cannot use, moving chairs away where it has an arm.
+        """Return the assets that some agent cannot get to or cannot use since the last `survey`, moving chairs away where it has an arm.
 
         Args:
             known: Some that were so before more was put down: they are so still.
