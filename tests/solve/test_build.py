@@ -320,3 +320,14 @@ def test_what_stands_at_something_that_hangs_has_a_place() -> None:
     """Its anchor is hung later: it got no place at all, a KeyError."""
     result = rl.generate("A living room with a sofa and a dog bed by the radiator.")
     assert result.report.ok, result.report.violations
+
+
+def test_mats_in_rows_lie_in_a_block_before_the_mirror_that_they_face() -> None:
+    scene = scene_from_sentence("A yoga studio with ten mats in two rows facing a mirror on the wall.")[0]
+    text = OfflinePlanner().plan(PlanRequest(scene, asked=read_words(scene).demands))
+    program = reconcile(read_program(text, scene), scene).program
+    built = compile_problem(scene, program).guess
+    mats = [asset.name for asset in scene.assets if asset.category == "yoga mat"]
+    assert len(mats) == 10
+    assert [one.source for one in program.statements if not one.relation.check(scene, built).met] == []
+    assert all(math.cos(built[mat].yaw - built["mirror-0"].yaw) == pytest.approx(-1.0, abs=1e-6) for mat in mats)

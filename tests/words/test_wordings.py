@@ -490,3 +490,55 @@ def test_word_salad_is_read() -> None:
 def test_a_table_that_has_chairs_is_no_coffee_table(text: str) -> None:
     wished = scene_from_sentence(text)[1].wished
     assert wished["chair"] == 2 and {"dining table", "round table"} & wished.keys()
+
+
+def said(text: str) -> set[tuple[str, str]]:
+    """Return the words of every row about where things stand, with how each was understood."""
+    rows = read_words(scene_from_sentence(text)[0]).rows
+    return {(row.words, row.understanding) for row in rows if row.kind in ("relation", "not understood")}
+
+
+@pytest.mark.parametrize(
+    ("text", "above"),
+    [
+        (
+            "A kitchen with a counter along the back wall with pans hanging above it.",
+            ["above(pan-0, kitchen_counter-0)"],
+        ),
+        (
+            "A garage with a car in the middle and a workbench with a pegboard hanging above it.",
+            ["above(pegboard-0, workbench-0)"],
+        ),
+    ],
+)
+def test_what_hangs_over_what_has_it_is_not_on_that(text: str, above: list[str]) -> None:
+    rows = said(text)
+    found = [how for _, how in rows if how.startswith("above")]
+    assert len(found) == 1 and all(one in found[0] for one in above)
+    assert not [how for _, how in rows if how.startswith(("on_top_of", "near")) or "no word" in how]
+
+
+def test_front_left_is_left_of_who_looks_at_the_board() -> None:
+    (_, how), *others = said("A classroom with a board and the teacher's desk at the front left.")
+    assert (
+        not others and how.startswith("in_front_of(teacher_desk-0, board-0") and "mounted_on(board-0, walls[0])" in how
+    )
+    scene = scene_from_sentence("An office with a plant at the back right of the room.")[0]
+    (row,) = (row for row in read_words(scene).rows if row.kind == "relation")
+    x0, y0, x1, y1 = scene.room.bounds
+    zone = row.demands[0].ways[0][0]
+    assert isinstance(zone, Zone)
+    assert {(p.x, p.y) for p in zone.polygon} == {
+        (round(x, 3), round(y, 3)) for x in ((x0 + x1) / 2, x1) for y in ((y0 + y1) / 2, y1)
+    }
+
+
+def test_pupils_in_rows_have_their_desks_in_rows() -> None:
+    rows = said("A classroom for sixteen pupils in four rows, with the teacher's desk at the front.")
+    (how,) = (how for _, how in rows if how.startswith("in_rows"))
+    assert "student_desk-15" in how and how.endswith("4)") and "teacher_desk" not in how
+
+
+def test_who_gets_into_a_bed_from_both_sides_has_free_floor_there() -> None:
+    (_, how), *others = said("A bedroom with a bed she can get into from both sides.")
+    assert not others and "keep_clear(bed-0, left)" in how

@@ -117,8 +117,8 @@ class Floor:
         """Return an independent copy."""
         return replace(self, body=self.body.copy(), wanted=self.wanted.copy(), clear=self.clear.copy())
 
-    def shadow(self, corners: Points) -> Shadow:
-        """Return what a rectangle with these corners (4, 2) takes of the floor."""
+    def shadow(self, corners: Points, *, flat: bool = False) -> Shadow:
+        """Return what a rectangle with these corners (4, 2) takes of the floor; what is flat is in no body's way."""
         local = (corners - np.asarray(self.origin)) / self.cell - 0.5
         center, sides = local.mean(axis=0), local[1:3] - local[0:2]
         lengths = np.hypot(sides[:, 0], sides[:, 1])
@@ -132,7 +132,7 @@ class Floor:
             for side, length in zip(sides, lengths, strict=True)
         ]
         near = np.hypot(*out) + 0.5  # half a cell: from the edge to a taken cell's centre
-        return Shadow(*self._covered(corners), window, near)
+        return Shadow(*self._covered(corners), window, np.full_like(near, np.inf) if flat else near)
 
     def take(self, shadow: Shadow) -> None:
         """Mark what a rectangle takes."""

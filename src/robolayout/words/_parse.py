@@ -368,6 +368,8 @@ class Parser(Relating):
         """Return whether what another thing has is on it or at it: what can stand nowhere else, what a table has first, seats."""
         tops = holder.thing.head in ("table", "desk", "counter", "island")
         told = self._ahead(-2).kind == "with"  # "a wardrobe with a mirror"
+        if self._ahead().value in small.HANGING and self._ahead(1).value == "above":
+            return False  # "a counter with pans hanging above it"
         return (mention.topped or (tops and not joined and _accessory(mention)) or told) and not holder.topped
 
     def _on_part(self, chunk: Chunk) -> None:

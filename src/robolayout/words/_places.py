@@ -13,6 +13,7 @@ from robolayout.constraints.corner import convex_corners
 from robolayout.scene import Asset, Opening, Room, Scene, Wall
 from robolayout.words import _function_words as small
 from robolayout.words import _ways as ways_of
+from robolayout.words._halves import floor_point, half_aside, halves_meant, rectangle
 from robolayout.words._lexicon import grammar
 from robolayout.words._rows import alike, in_rows
 from robolayout.words._said import Place, sides
@@ -84,32 +85,6 @@ def corners_meant(room: Room, place: Place) -> list[int]:
     away = {i: min((math.dist(at[i], middle) for middle in middles), default=0.0) for i in meant}
     several = place.det == "each" or place.plural  # "in each corner opposite the door"
     return sorted(away, key=lambda i: away[i], reverse=how != "near")[: 1 + several]
-
-
-def halves_meant(room: Room, place: Place) -> Iterator[tuple[PointRef, ...]]:
-    """Yield the half of the room that the words name, as seen on the plan."""
-    x0, y0, x1, y1 = room.bounds
-    x, y = (x0 + x1) / 2, (y0 + y1) / 2
-    back = (x0, y, x1, y1)
-    halves = {"left": (x0, y0, x, y1), "right": (x, y0, x1, y1), "back": back, "rear": back, "front": (x0, y0, x1, y)}
-    if room.doors:  # what is across the room from who comes in
-        nx, ny = room.walls[room.doors[0].wall].normal
-        halves["far"] = halves[("left", "right")[nx > 0] if abs(nx) > abs(ny) else ("front", "back")[ny > 0]]
-    ends = ("left", "right") if x1 - x0 >= y1 - y0 else ("front", "back")
-    told = (ends[place.det == "other"],) if place.det in ("one", "other") or place.number == 1 else ()
-    end = ("far",) if "end" in place.words else ()  # "a nurse's desk at the end"
-    for word in [word for word in place.words if word != "end"] or told or end:
-        if word in halves:
-            yield rectangle(*halves[word])
-
-
-def rectangle(x0: float, y0: float, x1: float, y1: float) -> tuple[PointRef, ...]:
-    """Return the corners of a rectangle as points of the floor."""
-    return tuple(_point(corner) for corner in ((x0, y0), (x1, y0), (x1, y1), (x0, y1)))
-
-
-def _point(at: tuple[float, float]) -> PointRef:
-    return PointRef(round(at[0], 3), round(at[1], 3))
 
 
 def centre(room: Room) -> tuple[float, float]:
@@ -260,7 +235,7 @@ class AtPlaces:
             yield from self._ways_at_a_wall(a, place, on=on)
         elif place.name == "corner":
             for vertex in corners_meant(self.room, place):
-                near = stated("near", ref, _point(self.room.vertices[vertex]), ways_of.FREE_IN_CORNER)
+                near = stated("near", ref, floor_point(self.room.vertices[vertex]), ways_of.FREE_IN_CORNER)
                 yield (near if a in self.surrounded else stated("corner", ref, vertex),)
         elif place.name in ("window", "door"):
             gap = (ways_of.AT_WINDOW if place.name == "window" else ways_of.AT_DOOR) * wider
@@ -272,7 +247,7 @@ class AtPlaces:
                 yield (stated("near", ref, point, round(gap + further, 2)), *held)
             for opening in openings_meant(self.room, place) if a in self.cornered else ():
                 ends = (opening.offset, opening.offset + opening.width)
-                points = (_point(self.room.walls[opening.wall].point(end)) for end in ends)
+                points = (floor_point(self.room.walls[opening.wall].point(end)) for end in ends)
                 yield from ((stated("near", ref, point, ways_of.CORNER_BY),) for point in points)
         elif place.name == "middle":
             x0, y0, x1, y1 = self.room.bounds
@@ -281,9 +256,19 @@ class AtPlaces:
         elif place.name == "side":
             boards = [one.name for one in self.scene.assets if self._is(one.name, small.BOARDS)]
             if "front" in place.words and boards and not self._only_wall(a):  # where all look, not the wall of the door
-                yield from ((stated("in_front_of", ref, AssetRef(b), 0.0, ways_of.AT_THE_FRONT),) for b in boards)
+                yield from self._ways_at_the_front(ref, boards, [w for w in ("left", "right") if w in place.words])
                 return
             yield from ((stated("zone", ref, half),) for half in halves_meant(self.room, place))
+
+    def _ways_at_the_front(self, ref: AssetRef, boards: Sequence[str], aside: Sequence[str]) -> Iterator[Way]:
+        """Yield the ways in which a thing is before a board, and `aside` as seen by who looks at that."""
+        for b in boards:
+            before = stated("in_front_of", ref, AssetRef(b), 0.0, ways_of.AT_THE_FRONT)
+            if not aside:
+                yield (before,)
+            for side, wall in product(aside, self.room.walls):
+                at = stated(self._held(b, on=True), AssetRef(b), WallRef(wall.index))
+                yield (before, at, stated("zone", ref, half_aside(self.room, wall, side)))
 
     def _too_many(self, subjects: Sequence[str], place: Place, *, on: bool, under: bool) -> bool:
         """Return whether things do not all have room under windows, or tables before those that they are along."""
@@ -297,7 +282,7 @@ class AtPlaces:
         for index in sorted({opening.wall for opening in openings_meant(self.room, place)}):
             wall = self.room.walls[index]
             inside = [wall.point(t, ways_of.ALONG) for t in (wall.length, 0.0)]
-            strip = tuple(_point(at) for at in (wall.point(0.0), wall.point(wall.length), *inside))
+            strip = tuple(floor_point(at) for at in (wall.point(0.0), wall.point(wall.length), *inside))
             at = stated(self._held(a, on=False), AssetRef(a), WallRef(index))
             yield (at if under else stated("zone", AssetRef(a), strip),)
 
@@ -339,7 +324,7 @@ class AtPlaces:
         """Return that a thing is near a door or window, in the half of the room at its left or, for odd numbers, its right."""
         wall, far = self.room.walls[opening.wall], sum(one.length for one in self.room.walls)
         (x, y), (dx, dy), (nx, ny) = wall.point(opening.center), wall.direction, wall.normal
-        middle, (u, v), to = _point((x, y)), (x + far * nx, y + far * ny), -far if side % 2 else far
+        middle, (u, v), to = floor_point((x, y)), (x + far * nx, y + far * ny), -far if side % 2 else far
         half = (middle, *(PointRef(p + to * dx, q + to * dy) for p, q in ((x, y), (u, v))), PointRef(u, v))
         near = stated("near", AssetRef(a), middle, opening.width / 2 + ways_of.BESIDE)
         return (near, stated("zone", AssetRef(a), half))
@@ -364,7 +349,7 @@ class AtPlaces:
         pairs = list(product(*both)) if both[1:] else list(combinations(both[0], 2))
         beside = [(one, two) for one, two in pairs if one.wall == two.wall and one != two]
         for one, two in beside or pairs:
-            ends = (_point(self.room.walls[opening.wall].point(opening.center)) for opening in (one, two))
+            ends = (floor_point(self.room.walls[opening.wall].point(opening.center)) for opening in (one, two))
             between = stated("between", AssetRef(a), *ends)
             held = () if self._asset(a).is_flat or self._asset(a).on_object else (self._held(a, on=True),)
             yield (between, *(stated(how, AssetRef(a), WallRef(one.wall)) for how in held if beside))
@@ -374,10 +359,10 @@ class AtPlaces:
         if place is None:
             return []
         if place.name in ("door", "window"):
-            return [_point(self.room.walls[o.wall].point(o.center)) for o in openings_meant(self.room, place)]
+            return [floor_point(self.room.walls[o.wall].point(o.center)) for o in openings_meant(self.room, place)]
         if place.name in ("middle", "room"):
             return [PointRef(*centre(self.room))]
-        return [_point(wall.midpoint) for wall in walls_meant(self.room, place)] if place.name == "wall" else []
+        return [floor_point(wall.midpoint) for wall in walls_meant(self.room, place)] if place.name == "wall" else []
 
     def _turnedfrom(self, it: Asked) -> Iterator[Demand]:
         """Looking away from a thing, a wall, a door or a window; a desk as one does who sits at it."""

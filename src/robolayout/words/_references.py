@@ -246,6 +246,7 @@ class References(Spoken):
             return self.holder, [*[m for m in self.recent if m.thing not in own][:1]]
         kinds = [kind for one in subjects for kind in one.thing.noun.categories]
         hanging = any(kind.on_wall or kind.on_ceiling for kind in kinds)
+        hanging = hanging or any(c.value in small.HANGING for c in self.chunks if c.end == chunk.start)
         if chunk.value == "above" and held and named(self.holder) & named(objects) and not hanging:
             own = named((*self.holder, *subjects))  # "a desk by the door, a shelf with books above it"
             objects = list[Item](m for m in self.recent if m.thing not in own and m.thing.category.on_floor)[-1:]

@@ -208,7 +208,7 @@ class BuildPass:
         return [items for *_, items in sorted(turns, key=lambda entry: entry[:2])]
 
     def _place_kind(self, items: Sequence[Want]) -> None:
-        flat = [item.name for item in items if item.asset.is_flat]
+        flat = [item.name for item in items if item.laid]
         hung, high = ([item.name for item in items if getattr(item, way)] for way in ("hung", "overhead"))
         standing = [item.name for item in items if item.standing]
         hang(self.site, hung, self.rng)

@@ -42,7 +42,7 @@ class Forms:
 
     def on_floor(self, member: Member) -> bool:
         """Whether a member takes floor space."""
-        return member.bottom < 0.01 and not self.scene.by_name[member.name].is_flat
+        return member.bottom < 0.01 and not self.wants[member.name].laid
 
     def _filled(self, cluster: Cluster) -> list[tuple[Points, float]]:
         """Return the footprint points and area of every floor member, in the cluster's frame."""

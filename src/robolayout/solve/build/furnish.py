@@ -99,7 +99,7 @@ def _keep(site: Site, placed: Mapping[str, Pose]) -> None:
     for name in given:
         want, pose = site.wants[name], placed[name]
         member = Member(name, bottom=pose.z - site.size(name)[2] / 2)
-        mode = "hang" if want.hung else "ceiling" if want.overhead else "rug" if want.asset.is_flat else "given"
+        mode = "hang" if want.hung else "ceiling" if want.overhead else "rug" if want.laid else "given"
         mode = "join" if want.anchor is not None and member.bottom > ATTEMPTS.lifted else mode
         site.put(Cluster(name, (member,)), np.array([pose.x, pose.y, pose.yaw]), mode)
     for name in given:

@@ -178,29 +178,38 @@ def put_grid(site: Site, clusters: Sequence[Cluster], plan: GridPlan, frame: NDA
 def _poses(site: Site, cluster: Cluster, yaws: Sequence[float]) -> NDArray[np.float64]:
     """Return places (n, 3) of the first anchor such that the whole block lies within the room's bounds."""
     left, bottom, right, top = site.room.bounds
-    found: list[tuple[float, float, float]] = []
+    found, looks = list[tuple[float, float, float]](), _looks(site, cluster)
     for yaw in yaws:
         turned = replace(cluster, members=tuple(member.moved(0.0, 0.0, yaw) for member in cluster.members))
         x0, y0, x1, y1 = _extent(site, turned)
-        for x in _steps(left + (x1 - x0) / 2, right - (x1 - x0) / 2, site.corridor):
-            for y in _steps(bottom + (y1 - y0) / 2, top - (y1 - y0) / 2, site.corridor):
-                found.append((x - (x0 + x1) / 2, y - (y0 + y1) / 2, yaw))
+        middle, before = ((x0 + x1) / 2, (y0 + y1) / 2), list[tuple[float, float]]()
+        for mine, seen in looks:
+            at = mine.moved(0.0, 0.0, yaw)
+            before.append((seen.x - at.x + middle[0], seen.y - at.y + middle[1]))
+        for x in _steps(left + (x1 - x0) / 2, right - (x1 - x0) / 2, site.corridor, [x for x, _ in before]):
+            for y in _steps(bottom + (y1 - y0) / 2, top - (y1 - y0) / 2, site.corridor, [y for _, y in before]):
+                found.append((x - middle[0], y - middle[1], yaw))
     return np.array(found).reshape(-1, 3)
 
 
-def _steps(low: float, high: float, corridor: float) -> list[float]:
-    """Return places between two ends, and those that leave just a corridor between the block and either end."""
+def _steps(low: float, high: float, corridor: float, before: Sequence[float]) -> list[float]:
+    """Return places between two ends, those that leave just a corridor between the block and either end, and some right before things."""
     if high < low:
         return []
     count = max(2, min(7, math.ceil((high - low) / 0.3) + 1))
-    marks = [*np.linspace(low, high, count), low + corridor, high - corridor]
+    marks = [*np.linspace(low, high, count), low + corridor, high - corridor, *before]
     return sorted({round(float(v), 4) for v in marks if low <= v <= high})
+
+
+def _looks(site: Site, cluster: Cluster) -> list[tuple[Member, Member]]:
+    """Return the first of a block's things that has something to face, with that; none where there is none yet."""
+    faced = ((member, targets(site, member.name)) for member in cluster.members if site.wants[member.name].face)
+    return [(member, site.spots[there[0]].member) for member, there in faced if there][:1]
 
 
 def _yaws(site: Site, cluster: Cluster) -> list[float]:
     """Return the headings to try: one if one of a block's things has something to face, else along and across the room."""
-    for member in cluster.members:
-        face, there = site.wants[member.name].face, targets(site, member.name)
-        if face and there:
-            return [site.spots[there[0]].member.yaw + (0.0 if face.away else math.pi)]
+    for mine, seen in _looks(site, cluster):
+        face = site.wants[mine.name].face
+        return [seen.yaw + (0.0 if face and face.away else math.pi)]
     return room_yaws(site)

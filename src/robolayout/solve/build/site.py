@@ -221,7 +221,8 @@ class Site:
             asset, carried = self.scene.by_name[member.name], spot.mode == "join" and member.bottom > 0.01
             place = (member.x, member.y, member.yaw)
             uses = [use_cells(self.floor, asset, a, place, member.bottom, carried=carried) for a in self.scene.agents]
-            shadow = self.floor.shadow(corners_of(member, asset.size)) if self._takes_floor(spot) else None
+            corners, flat = corners_of(member, asset.size), asset.is_flat
+            shadow = self.floor.shadow(corners, flat=flat) if self._takes_floor(spot) else None
             cells, _ = self.floor.flat(placed(points, *place))
             found = Claim(cells, tuple(uses), shadow, self.outline(member))
             if not self.trial:

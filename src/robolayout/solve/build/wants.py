@@ -133,9 +133,14 @@ class Want:
         return self.asset.on_object and not (self.asset.on_floor or self.asset.on_wall or self.asset.on_ceiling)
 
     @property
+    def laid(self) -> bool:
+        """Whether it lies wherever what stands leaves room: rugs, but no mats in rows."""
+        return self.asset.is_flat and self.rows is None
+
+    @property
     def standing(self) -> bool:
         """Whether it stands on the floor by itself."""
-        return not (self.hung or self.overhead or self.asset.is_flat)
+        return not (self.hung or self.overhead or self.laid)
 
 
 def wants_of(scene: Scene, program: Program) -> dict[str, Want]:

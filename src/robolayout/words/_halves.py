@@ -1,0 +1,54 @@
+"""Which part of the room words mean: a half of it as seen on the plan, or by who looks at a wall."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from robolayout.constraints import PointRef
+from robolayout.scene import Room, Wall
+from robolayout.words._said import Place
+
+
+def halves_meant(room: Room, place: Place) -> Iterator[tuple[PointRef, ...]]:
+    """Yield the half of the room that the words name, as seen on the plan; where they name two ("back left") what these share."""
+    x0, y0, x1, y1 = room.bounds
+    halves = _halves(room)
+    if room.doors:  # what is across the room from who comes in
+        halves["far"] = halves[_towards(room.walls[room.doors[0].wall].normal)]
+    ends = ("left", "right") if x1 - x0 >= y1 - y0 else ("front", "back")
+    told = (ends[place.det == "other"],) if place.det in ("one", "other") or place.number == 1 else ()
+    end = ("far",) if "end" in place.words else ()  # "a nurse's desk at the end"
+    found = [halves[word] for word in [w for w in place.words if w != "end"] or told or end if word in halves]
+    if found:
+        left, bottom, right, top = zip(*found, strict=True)
+        yield rectangle(max(left), max(bottom), min(right), min(top))
+
+
+def half_aside(room: Room, wall: Wall, side: str) -> tuple[PointRef, ...]:
+    """Return the "left" or the "right" half of the room of who looks at a wall."""
+    (nx, ny), way = wall.normal, 1.0 if side == "left" else -1.0
+    return rectangle(*_halves(room)[_towards((way * ny, -way * nx))])
+
+
+def _halves(room: Room) -> dict[str, tuple[float, float, float, float]]:
+    """Return the halves of the room's bounds by their names on the plan."""
+    x0, y0, x1, y1 = room.bounds
+    x, y = (x0 + x1) / 2, (y0 + y1) / 2
+    back = (x0, y, x1, y1)
+    return {"left": (x0, y0, x, y1), "right": (x, y0, x1, y1), "back": back, "rear": back, "front": (x0, y0, x1, y)}
+
+
+def _towards(way: tuple[float, float]) -> str:
+    """Return the name of the half in a direction on the plan."""
+    x, y = way
+    return ("left", "right")[x > 0] if abs(x) > abs(y) else ("front", "back")[y > 0]
+
+
+def rectangle(x0: float, y0: float, x1: float, y1: float) -> tuple[PointRef, ...]:
+    """Return the corners of a rectangle as points of the floor."""
+    return tuple(floor_point(corner) for corner in ((x0, y0), (x1, y0), (x1, y1), (x0, y1)))
+
+
+def floor_point(at: tuple[float, float]) -> PointRef:
+    """Return a point of the floor to the millimetre."""
+    return PointRef(round(at[0], 3), round(at[1], 3))
