@@ -13,7 +13,7 @@ from robolayout.planners import OfflinePlanner, PlanRequest
 from robolayout.program import read_program, reconcile
 from robolayout.run.flow import make_judge
 from robolayout.solve.compile import Floats, Problem, compile_problem
-from robolayout.solve.proposals import carry, compose
+from robolayout.solve.proposals import Proposals, carry, compose
 from robolayout.solve.restore import once_more, restored, squared
 
 TRIALS = 64
@@ -71,6 +71,22 @@ def test_what_may_not_go_back_whole_goes_back_along_the_axis_that_it_may() -> No
 
     found = restored(problem, shaken, no_worse, TRIALS)
     assert found[slot, :2] == pytest.approx(target[slot, :2] + 0.4 * front)
+
+
+def test_a_table_that_may_not_go_back_alone_takes_its_chairs_along() -> None:
+    problem, _ = planned("dining_room")
+    table, groups = problem.slot["dining_table-0"], Proposals(problem).followers
+    chairs = [slot for slot, name in enumerate(problem.names) if name.startswith("dining_chair")]
+    assert {*chairs} <= groups[table]
+    shaken = problem.start + np.array([0.0, 0.5, 0.0, 0.0])
+
+    def no_worse(world: Floats) -> bool:
+        by_it = world[chairs] - world[table] - problem.start[chairs] + problem.start[table]
+        return bool(np.abs(by_it).max() < 1e-9 and world[table, 1] > problem.start[table, 1] + 0.2)
+
+    assert restored(problem, shaken, no_worse, TRIALS)[table] == pytest.approx(shaken[table])
+    found = restored(problem, shaken, no_worse, TRIALS, groups)
+    assert found[[table, *chairs], 1] == pytest.approx(problem.start[[table, *chairs], 1] + 0.3)
 
 
 def test_what_moved_by_millimetres_alone_goes_back_whole() -> None:

@@ -324,7 +324,7 @@ class Solver:
             return self._judged(world, (*self.verdict.worth[:3], math.inf))
 
         if not self.blind:
-            restored(self.problem, self.world, no_worse, self.effort.put_back)
+            restored(self.problem, self.world, no_worse, self.effort.put_back, self.repair.groups)
         squared(self.problem, self.world, no_worse)
         if not self.blind:
             once_more(self.problem, self.world, no_worse)

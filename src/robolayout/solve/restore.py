@@ -42,14 +42,17 @@ WAYS: tuple[Way, ...] = (
 """The ways in which single things go back, the first that is no worse counts."""
 
 
-def restored(problem: Problem, world: Floats, no_worse: Callable[[Floats], bool], trials: int) -> Floats:
+def restored(
+    problem: Problem, world: Floats, no_worse: Callable[[Floats], bool], trials: int, groups: Sequence[set[int]] = ()
+) -> Floats:
     """Return poses (n, 4) with as much as possible where the program's guess has it, or where the room was built.
 
     Everything that moved is put back at once, else half of it, and so on down to single things with what stands on them
     and what goes by them (a desk with its chair), so that a row that had to give way in one place stays a row elsewhere. Then
-    single things go back, the farthest first: whole, else along one of their axes, else a part of the way.
+    single things go back, the farthest first: whole, else along one of their axes, else a part of the way; where they may not go
+    alone, what goes by them (`groups`) comes along.
 
-    At most `trials` layouts are asked about while groups are put back, and seven for each thing alone. `no_worse` says of
+    At most `trials` layouts are asked about while groups are put back, and three in each of seven ways for each thing. `no_worse` says of
     poses whether they are no worse than those kept so far.
     """
     target = problem.start
@@ -68,7 +71,7 @@ def restored(problem: Problem, world: Floats, no_worse: Callable[[Floats], bool]
         elif len(chunk) > 1:
             half = len(chunk) // 2
             waiting += [chunk[half:], chunk[:half]]
-    return _each_back(problem, world, WAYS, no_worse)
+    return _each_back(problem, world, WAYS, no_worse, groups)
 
 
 def once_more(problem: Problem, world: Floats, no_worse: Callable[[Floats], bool]) -> Floats:
@@ -80,13 +83,19 @@ def once_more(problem: Problem, world: Floats, no_worse: Callable[[Floats], bool
     return world
 
 
-def _each_back(problem: Problem, world: Floats, ways: Sequence[Way], no_worse: Callable[[Floats], bool]) -> Floats:
+def _each_back(
+    problem: Problem,
+    world: Floats,
+    ways: Sequence[Way],
+    no_worse: Callable[[Floats], bool],
+    groups: Sequence[set[int]] = (),
+) -> Floats:
     """Return poses (n, 4) with single things nearer to where they were, the farthest first."""
     off = np.hypot(*(world - problem.start)[:, :2].T)
     moved = (np.abs(world - problem.start).max(axis=1) > SAME).tolist()
     free = [slot for slot, name in enumerate(problem.names) if moved[slot] and name not in problem.pinned]
     for slot in sorted(free, key=lambda slot: (-float(off[slot]), slot)):
-        world = _nearer(problem, world, slot, ways, no_worse)
+        world = _nearer(problem, world, slot, ways, no_worse, frozenset(groups[slot] if groups else ()))
     return world
 
 
@@ -127,11 +136,16 @@ def squared(problem: Problem, world: Floats, no_worse: Callable[[Floats], bool])
 
 
 def _nearer(
-    problem: Problem, world: Floats, slot: int, ways: Sequence[Way], no_worse: Callable[[Floats], bool]
+    problem: Problem,
+    world: Floats,
+    slot: int,
+    ways: Sequence[Way],
+    no_worse: Callable[[Floats], bool],
+    followers: frozenset[int],
 ) -> Floats:
     """Return poses (n, 4) with one thing as far back as it may go in one go, in the first of some ways.
 
-    What stands on it goes along, or stays where it is if the thing is under it there, too.
+    What stands on it goes along, or stays where it is if the thing is under it there, too; else what goes by it comes along.
     """
     here, there = world[slot], problem.start[slot]
     off = relative(here, there)
@@ -142,7 +156,10 @@ def _nearer(
         pose = compose(here, np.array([along * off[0], across * off[1], 1.0, 0.0]))
         alone[slot] = np.concatenate([pose[:2], heading[2:]])
         carry(problem, trial, slot, alone[slot])
-        for one in (trial, alone) if slot in problem.parent else (trial,):
+        tries = [trial, *[alone] * (slot in problem.parent), *[world.copy()] * bool(followers)]
+        if followers:
+            carry(problem, tries[-1], slot, alone[slot], followers)
+        for one in tries:
             if problem.away(one) < least and no_worse(one):
                 return one
     return world

@@ -290,9 +290,10 @@ class _Gathered:
         told = (one.backs for one, wish in reversed(found) if wish is None or not looks)  # else all look one way
         spaced = any(wish is None and one.backs == "alike" and one.aisle > 0 for one, wish in found)
         turned = "alike" if spaced else next((backs for backs in told if backs != "alike"), "alike")
-        said = [one for one, _ in found if one.items == found[-1][0].items]  # groups stand closer
+        own = set(found[-1][0].items) if found else set[AssetRef]()
+        said = [one for one, _ in found if own <= {*one.items} and len(one.items) < 2 * len(own)]  # groups stand closer
         aisle, gap = (max((getattr(one, name) for one in said), default=0.0) for name in ("aisle", "gap"))
-        return replace(said[0], aisle=aisle, gap=gap, rows=said[-1].rows, backs=turned) if said else None
+        return replace(said[-1], aisle=aisle, gap=gap, backs=turned) if said else None
 
     def _all(self, kind: type[Kind]) -> Iterator[tuple[Kind, float | None]]:
         """Yield what is said with a relation, with its weight if it is a wish."""
