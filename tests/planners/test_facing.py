@@ -239,3 +239,15 @@ def test_pupils_look_at_their_teacher() -> None:
     run = made("a classroom with ten desks facing the teacher's desk")
     turn = run.layout["student_desk-0"].yaw - run.layout["teacher_desk-0"].yaw
     assert math.cos(turn) < -0.99 and run.report.ok
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "a living room with a sofa and a TV on the wall",
+        "a living room with a sofa, two armchairs facing the sofa, a coffee table between them and a TV on the wall",
+    ],
+)
+def test_a_sofa_looks_at_a_television_on_the_wall(text: str) -> None:
+    result = made(text)
+    assert cosine(result, "sofa-0", result.layout["television-0"].at) > 0.9
