@@ -542,3 +542,12 @@ def test_pupils_in_rows_have_their_desks_in_rows() -> None:
 def test_who_gets_into_a_bed_from_both_sides_has_free_floor_there() -> None:
     (_, how), *others = said("A bedroom with a bed she can get into from both sides.")
     assert not others and "keep_clear(bed-0, left)" in how
+
+
+def test_an_aisle_between_columns_is_no_column_and_a_station_is_what_the_room_has() -> None:
+    pews = said("A church hall with ten pews in two columns, with an aisle of 1.5 m between the columns.")
+    assert not [how for _, how in pews if "column_post" in how]
+    racks = said("A warehouse with four pallet racks in two rows back to back and a forklift aisle of 3 m.")
+    assert racks and all("aisle=3" in how for _, how in racks)
+    salon = said("A hair salon with three stations along the right wall.")
+    assert [how for _, how in salon if how.startswith("against_wall(vanity_table-0")]
