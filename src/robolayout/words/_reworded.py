@@ -62,8 +62,8 @@ _SAID = {
         "{1} wall ( unreadable )"
     ),
     r"(MANY|two) (?:curved|staggered) rows of ((?:\w+ ){0,2}\w+s)": "{1} rows of {2} ( unreadable )",
-    "(?:across|with|and|separated by) (?:an? )?(?:\\w+ )?aisle (?:of )?WIDE(?: between (?:the (?:two )?(?:columns|rows)|them))?": (
-        "with {1} aisles"
+    "(?:, )?(?:across|with|and|separated by) (?:an? )?(?:\\w+ )?aisle (?:of )?WIDE(?: between (?:the (?:two )?(?:columns|rows)|them))?": (
+        ", with {1} aisles"
     ),
     "(?:a|the) dance floor in the (?:middle|center|centre)(?: of the (?:room|hall))?": "the middle of the room free",
     "(?:beside|next to|alongside) (THING) on (SIDES)": "on {2} of {1}",
