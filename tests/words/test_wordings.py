@@ -14,6 +14,8 @@ from robolayout.constraints.zone import Zone
 from robolayout.planners import scene_from_sentence
 from robolayout.scene import Asset, Room, Scene
 from robolayout.words import Lexicon, Mention, read_rooms, read_text, read_words
+from robolayout.words._halves import halves_meant
+from robolayout.words._said import Place
 
 LEXICON = Lexicon(read_rooms())
 
@@ -551,3 +553,11 @@ def test_an_aisle_between_columns_is_no_column_and_a_station_is_what_the_room_ha
     assert racks and all("aisle=3" in how for _, how in racks)
     salon = said("A hair salon with three stations along the right wall.")
     assert [how for _, how in salon if how.startswith("against_wall(vanity_table-0")]
+
+
+def test_two_halves_that_share_nothing_are_two_ways() -> None:
+    room = scene_from_sentence("An office of 4 x 3 m.")[0].room
+    left, right = halves_meant(room, Place("side", ("left", "right")))
+    assert {point.x for point in (*left, *right)} == {0.0, 2.0, 4.0}
+    (corner,) = halves_meant(room, Place("side", ("back", "left")))
+    assert {(point.x, point.y) for point in corner} == {(x, y) for x in (0.0, 2.0) for y in (1.5, 3.0)}

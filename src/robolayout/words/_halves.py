@@ -10,7 +10,7 @@ from robolayout.words._said import Place
 
 
 def halves_meant(room: Room, place: Place) -> Iterator[tuple[PointRef, ...]]:
-    """Yield the half of the room that the words name, as seen on the plan; where they name two ("back left") what these share."""
+    """Yield the half of the room that words name, as seen on the plan; of two what these share ("back left"), else each of them."""
     x0, y0, x1, y1 = room.bounds
     halves = _halves(room)
     if room.doors:  # what is across the room from who comes in
@@ -21,7 +21,10 @@ def halves_meant(room: Room, place: Place) -> Iterator[tuple[PointRef, ...]]:
     found = [halves[word] for word in [w for w in place.words if w != "end"] or told or end if word in halves]
     if found:
         left, bottom, right, top = zip(*found, strict=True)
-        yield rectangle(max(left), max(bottom), min(right), min(top))
+        shared = (max(left), max(bottom), min(right), min(top))
+        yield from (
+            rectangle(*half) for half in ([shared] if shared[0] < shared[2] and shared[1] < shared[3] else found)
+        )
 
 
 def half_aside(room: Room, wall: Wall, side: str) -> tuple[PointRef, ...]:
