@@ -126,7 +126,8 @@ class Added:
         if "sofa" not in self.asked and (low or wishes.rings(on)):
             faced |= {"sofa", *wishes.roles["sofa"].face.roles}  # all sit around a coffee table, or on a rug
         faced |= {"sofa"} if "sofa" not in self.asked and lounge else set()  # in the armchairs that look at something
-        unseen = {name for name, role in playing.items() if role.name in faced}
+        borne = chain(*(self._companions(wishes.kind(to.thing)) for _, seen in pairs for to in mentions(seen)))
+        unseen = {name for name, role in playing.items() if role.name in faced} - {*borne}  # the stand of the TV
         return unseen | {name for name in usual if unseen & self._companions(name).keys()}
 
     def _broad(self, thing: NamedThing) -> bool:

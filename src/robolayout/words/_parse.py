@@ -249,8 +249,7 @@ class Parser(Relating):
         self.group = [*self.group, mention] if joined else [mention]
         if not self.subject or together or (not joined and not self.verb and not self.holder):
             self.subject = self.group
-        self.acted = []
-        self.verb = self.relative = False
+        self.acted, self.verb, self.relative = [], False, False
 
     def _these(self, members: list[Mention]) -> None:
         """Go on with several things that were named before: "The machines stand side by side"."""
@@ -366,8 +365,7 @@ class Parser(Relating):
 
     def _put_on(self, mention: Mention, holder: Mention, *, joined: bool) -> bool:
         """Return whether what another thing has is on it or at it: what can stand nowhere else, what a table has first, seats."""
-        tops = holder.thing.head in ("table", "desk", "counter", "island")
-        told = self._ahead(-2).kind == "with"  # "a wardrobe with a mirror"
+        tops, told = holder.thing.head in ("table", "desk", "counter", "island"), self._ahead(-2).kind == "with"
         if self._ahead().value in small.HANGING and self._ahead(1).value == "above":
             return False  # "a counter with pans hanging above it"
         return (mention.topped or (tops and not joined and _accessory(mention)) or told) and not holder.topped
