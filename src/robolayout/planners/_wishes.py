@@ -19,6 +19,7 @@ from robolayout.scene import FLAT_HEIGHT
 from robolayout.words import (
     CROWD,
     KIN,
+    OF_ROOMS,
     SHAPES,
     Lexicon,
     Link,
@@ -89,8 +90,7 @@ class RoomWishes:
     @cached_property
     def things(self) -> Mapping[str, int]:
         """What is wished, and how many."""
-        wished = self._counted(implied=False)
-        cosy = grammar().cosy
+        wished, cosy = self._counted(implied=False), grammar().cosy
         if set(self.reading.words_of_taste) & set(cosy["words"]):  # something soft, a warm light
             rows = [row for row in (cosy["soft"], cosy["warm"]) if not set(wished) & set(row)]
             wished.update(kind for row in rows for kind in [k for k in row if k not in self.reading.unwanted][:1])
@@ -201,8 +201,7 @@ class RoomWishes:
     def kind(self, thing: NamedThing) -> str:
         """Return which kind a thing is: where its one word is general, what is usual in the room.
 
-        A desk of a classroom is a student desk. A chair at a table, at a wall or by the door is what people there sit on, and
-        nothing else that stands in such a room.
+        A desk of a classroom is a student desk. A chair at a table, at a wall or by the door is only what people there sit on.
         """
         said = [word for word in thing.noun.said.split() if word not in SIZE_WORDS]
         room, kind = self.room, thing.noun.kind
@@ -211,8 +210,9 @@ class RoomWishes:
             return kind
         (word,), links = said, self.reading.parsed.links
         at = [item for link in links if thing in named(link.subjects) for item in link.objects]
-        tables = {word.split()[-1] for item in mentions(at) for word in (item.thing.noun.kind, item.thing.noun.said)}
-        elsewhere = "table" in tables or len(mentions(at)) < len(at)
+        nouns = [item.thing.noun for item in mentions(at)]  # the station of a salon is no table to sit at
+        tables = {word.split()[-1] for n in nouns for word in (n.said, n.said if n.said in OF_ROOMS else n.kind)}
+        elsewhere = "table" in tables or len(nouns) < len(at)
         usual = () if word == "chair" and elsewhere else (*room.base, *room.extras)
         items = [*([room.tables] if room.tables else []), *room.person, *usual]
         if word in items or (word in CATALOGUE and kind != word):

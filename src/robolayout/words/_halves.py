@@ -21,10 +21,8 @@ def halves_meant(room: Room, place: Place) -> Iterator[tuple[PointRef, ...]]:
     found = [halves[word] for word in [w for w in place.words if w != "end"] or told or end if word in halves]
     if found:
         left, bottom, right, top = zip(*found, strict=True)
-        shared = (max(left), max(bottom), min(right), min(top))
-        yield from (
-            rectangle(*half) for half in ([shared] if shared[0] < shared[2] and shared[1] < shared[3] else found)
-        )
+        x0, y0, x1, y1 = max(left), max(bottom), min(right), min(top)
+        yield from (rectangle(*half) for half in ([(x0, y0, x1, y1)] if x0 < x1 and y0 < y1 else found))
 
 
 def half_aside(room: Room, wall: Wall, side: str) -> tuple[PointRef, ...]:
