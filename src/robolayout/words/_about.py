@@ -341,7 +341,8 @@ class About(References):
             told = told or (crowd and not self.target.several)  # "twelve desks facing a desk in front of the board"
         to = self._ahead().noun
         if self.target is not None and to is not None and last and relation in small.STANDING:  # "jars on shelves by"
-            told = told or (last[0].topped and not (self.target.topped or to.category.on_object))
+            one = self.target.det == "the" and self._ahead().det == "each"  # "a plate on the table before each chair"
+            told = told or (last[0].topped and not (one or self.target.topped or to.category.on_object))
         flanked = (place or relation == "middle") and self.said.last.relation in ("flank", "around")
         told = told or flanked or (relation == "above" and hung)  # "books on a shelf above", "lamps flanking a sofa by"
         if self.target is not None and relation == "amid" and self._ahead().kind == "pron" and last:

@@ -216,7 +216,7 @@ class References(Spoken):
             faced = [
                 m for m in (mentions(foot[-1]) if foot else faced) if not m.several
             ]  # a bench at the foot of a bed
-            here = [k.subjects for k in self._here[-1:] if k.relation != "with"]
+            here = [k.subjects for k in self._here if k.relation != "with"][-1:]
             # "a washer and a dryer along a wall, an ironing board opposite"
             return faced or [m for each in here for m in each[:1] if m.thing not in named(self.about)]
         last = self.said.last
@@ -244,6 +244,11 @@ class References(Spoken):
         if chunk.value == "flank" and not objects and held and self.holder[0].thing.count == 2 and self.recent[2:]:
             own = {self.holder[0].thing, subjects[0].thing}  # "two nightstands with lamps on either side"
             return self.holder, [*[m for m in self.recent if m.thing not in own][:1]]
+        its_own = held and (self.group[-1].topped or (self.group[-1].sat_on and self.holder[0].thing.head in small.TOPS))
+        if chunk.value == "opposite" and its_own and not objects:  # "tables along the windows, a bar with stools opposite"
+            self.about = [*subjects, *self.holder]
+            objects = list(self._led_back(chunk.value))
+            return (self.holder if objects else subjects), objects
         kinds = [kind for one in subjects for kind in one.thing.noun.categories]
         hanging = any(kind.on_wall or kind.on_ceiling for kind in kinds)
         hanging = hanging or any(c.value in small.HANGING for c in self.chunks if c.end == chunk.start)
@@ -266,9 +271,10 @@ class References(Spoken):
         if laid and chunk.det == "its" and self.target is not None:
             return [self.target], list(self.holder)  # "a bed with a lamp on the nightstand to its right"
         if laid and chunk.det == "its":  # "an armchair by the window, a table with a cup to its right"
-            before = list[Item](m for m in self.targets if m.thing is not self.holder[0].thing)
-            objects = before[-1:] or objects
-            laid = objects != self.holder
+            own = named((*self.holder, *self.group))
+            last = [mentions(k.objects) or k.subjects for k in self._here if k.relation != "with"][-1:]
+            before = [m for said in (self.recent, *last) for m in said if m.thing not in own]
+            objects, laid = list[Item](before[-1:]) or objects, bool(before)
         apart = [m for m in mentions(objects) if m.thing not in named(self.holder)]
         if laid and chunk.value == "amid" and sum(m.count for m in apart) > 1:
             objects, laid = list[Item](apart), not apart[0].topped  # "two beds, a table with a lamp between them"

@@ -256,6 +256,9 @@ class Relating(About):
             self.said.links += [Link(*half)] * (chunk.value != "middle")
             chunk, objects = replace(chunk, value="on"), top
         subjects, objects = self._held_by(chunk, subjects, objects)
+        if chunk.det == "its" and subjects == self.holder:  # "a table with a book to its right and a plant to its left"
+            self.holder = []
+            self._keep(chunk.value, objects, pronoun=False, fronted=False)
         self._as_many(chunk, subjects, objects, every=every)
         if chunk.number and subjects and subjects[0].thing.number is None:
             subjects[0].thing.number = chunk.number  # "in four rows of six"

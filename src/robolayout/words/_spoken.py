@@ -220,8 +220,9 @@ class Spoken:
         named last before; what the last relation led to, where that is one and the other is several; the subject before.
         """
         own = named(self.about)
-        bearers = [named(k.objects) for k in self.said.links if k.relation == "on" and own & named(k.subjects)]
-        own = own.union(*bearers)  # "a camera on a tripod before it"
+        on = [(named(k.subjects), named(k.objects)) for k in self.said.links if k.relation == "on"]
+        # "a camera on a tripod before it", "a printer on a cabinet next to it"
+        own = own.union(*(top for laid, top in on if own & laid), *(laid for laid, top in on if own & top))
         if relation == "foot" and (bed := self._last_of(small.SLEPT_ON, own)):
             return bed  # "a wardrobe opposite the beds and a rug at their feet"
         if word.startswith("the row"):

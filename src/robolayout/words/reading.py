@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from itertools import combinations, pairwise
@@ -35,6 +36,8 @@ LEAST_SHAPED = 5
 
 MOST_OF_A_KIND = 200
 """Largest count that is furnished for."""
+
+_ALONG = re.compile(r"counters? (?:running )?(?:along|on|against|lining|at) ")
 
 
 @dataclass(frozen=True, eq=False)
@@ -294,9 +297,12 @@ def _said_besides(words: list[Token]) -> list[Token]:
     for phrase, said in small.SAID_AS.items():
         size = len(named := phrase.split())
         known = {"table", "tables"} & {*text} and "table" in said  # "a kitchen-diner with a table for six"
+        known = known or ("counters" in said and _ALONG.search(" ".join(text)))
         for at in (at for at in range(len(text) - size + 1) if text[at : at + size] == named and not known):
             start, end = words[at].start, words[at + size - 1].end
-            words = [*words, *(Token(word.text, start, end) for word in tokens(f". {said}"))]
+            # "a galley kitchen with white counters"
+            meant = re.sub(r"^\w+ (?=counters)", "the ", said) if "counters" in text else said
+            words = [*words, *(Token(word.text, start, end) for word in tokens(f". {meant}"))]
     return words
 
 
