@@ -167,7 +167,8 @@ class Spoken:
         if zone is not None and not zone.things:
             # "a kitchen along the wall, a sofa facing the television"
             other = zone.area is not None and zone.area.value == "kitchen" != mention.thing.category.group
-            listed = before == "," and (other or (zone.area and not zone.place))
+            placed = self._ahead().kind == "rel" and self._ahead(1).kind == "part"  # "..., a sofa along the left wall"
+            listed = before == "," and (other or (zone.area and (placed or not zone.place)))
             self.zone = None if listed or (before == "and" and (zone.place or zone.area)) else zone
         if self.zone is not None and not mention.thing.spans[1:]:
             self.zone.things.append(mention)
