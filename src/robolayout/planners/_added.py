@@ -53,7 +53,10 @@ class Added:
         said = wishes.reading.parsed.links
         links = [link for link in said if link.relation in ("on", "above")]
         laid = {mention.thing.noun.kind for link in links for mention in link.subjects}
-        below = [link for link in said if link.relation == "under" and any(one.laid for one in link.subjects)]
+        under = [link for link in said if link.relation == "under" and not any(one.flat for one in link.subjects)]
+        below = [link for link in under if any(one.laid for one in link.subjects)]
+        low = [link for link in under if link not in below]  # a TV with a minibar under it hangs there
+        laid |= {to.thing.noun.kind for link in low for to in mentions(link.objects)}
         # a soundbar under a TV on the wall stands on what the TV has
         laid -= {to.thing.noun.kind for link in below for to in mentions(link.objects)}
         borne = {kind for kind in laid if "floor" not in wishes.kinds[kind].places}
@@ -67,6 +70,10 @@ class Added:
             usual = (*wishes.room.base, *wishes.room.extras)
             self.spared |= {name for name in usual if name.endswith((*instead, "conference table", "dining table"))}
         self.spared |= {"pew"} if wishes.audience else set()
+        high = self._roles_of(thing for link in said if link.relation == "above" for thing in named(link.objects))
+        single = wishes.playing(name for name, count in self.room.base.items() if count == 1)
+        # a hood, where a microwave is above the stove
+        self.spared |= {name for name, role in single.items() if "hang" in role.stands and high & {*role.above[:1]}}
         self.named = self.spared | self.wished.keys()
         corners = [k for k in said if k.relation in ("corner", "cleared") or place_in(k.objects[:1], "corner")]
         bare = [link for link in corners if link.relation == "cleared" and link.objects[1:]]

@@ -124,7 +124,8 @@ def join_as_asked(cast: Mapping[str, Cast], demands: Sequence[Demand], passage: 
         if last and found[last].join.loose and last not in wanted:
             found[last] = found[last].alone
     over = (one.asset_names()[0] for one in said(demands) if one.name == "above")
-    found |= {name: found[name].alone for name in over if found[name].asset.on_ceiling}  # a projector over the table
+    # a projector over the table, a television over a minibar
+    found |= {name: found[name].alone for name in over if found[name].asset.on_ceiling or found[name].asset.on_wall}
     for name, (anchor, join) in wanted.items():
         found[name] = found[name].alone
         if name not in chain(anchor, found):

@@ -391,7 +391,11 @@ def _assets(
 ) -> dict[str, object]:
     """Return the asset list: sizes and looks as said, or within 6 % of typical ones; what is added of a kind is like the first of it."""
     assets: dict[str, object] = {}
-    hung = {t for k in wishes.reading.parsed.links if place_in(k.objects, "ceiling") for t in named(k.subjects)}
+    links = wishes.reading.parsed.links
+    hung = {t for k in links if place_in(k.objects, "ceiling") for t in named(k.subjects)}
+    # "a microwave above the stove", with no shelf that is said to bear it
+    borne = {t for k in links if k.relation == "on" for t in named(k.subjects)}
+    held = {t for k in links if k.relation == "above" for t in named(k.subjects) - borne if t.places == ("object",)}
     for kind, count in ((wishes.kinds[name], count) for name, count in both(found.wished, found.added).items()):
         mesh = meshes.get(kind.name if kind.name in wishes.lexicon.kinds else kind.like, {})
         scale, told = 1.0 + 0.06 * float(rng.uniform(-1, 1)), wishes.told(kind.name)
@@ -406,6 +410,8 @@ def _assets(
             entry = {**mesh, **asset_entry(kind, size), "look": look}
             if kind.on_ceiling and thing in hung:  # it stands on nothing
                 entry |= {"onCeiling": True, "onObject": False, "onWall": False, "onFloor": False}
+            elif thing in held:
+                entry |= {"onObject": False, "onWall": True}
             assets[f"{variable_name(kind.name)}-{index}"] = entry
     return assets
 

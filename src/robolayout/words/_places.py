@@ -219,7 +219,9 @@ class AtPlaces:
             found = [tuple(self._ways_at(a, at, on=on, share=share and not each, under=under)) for a, at in pairs]
             found = [ways[i : i + 1] for i, ways in enumerate(found)] if each else found
             told = walls_meant(self.room, place) if place.name == "wall" else []
-            few = len(told) if place.det in ("each", "both", "all") else place.number or 0
+            # "beds along the side walls"
+            two = place.plural and {"long", "short", "side"} & {grammar().walls.get(word) for word in place.words}
+            few = len(told) if two or place.det in ("each", "both", "all") else place.number or 0
             if 1 < few <= min(len(subjects), len(told)):  # "shelves on both long walls": each of them has some
                 some = subjects[:: len(subjects) // few][:few]
                 sets = [zip(some, walls, strict=True) for walls in combinations(told, few)]

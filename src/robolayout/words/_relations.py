@@ -12,7 +12,7 @@ from robolayout.words import _function_words as small
 from robolayout.words._about import About
 from robolayout.words._chunk import NOTHING, Chunk
 from robolayout.words._lexicon import Noun
-from robolayout.words._said import Item, Link, Mention, Place, mentions, place_in, place_of
+from robolayout.words._said import Item, Link, Mention, Place, mentions, named, place_in, place_of
 from robolayout.words._tokens import Measure
 from robolayout.words._ways import MIDDLE_AISLE
 
@@ -336,8 +336,12 @@ class Relating(About):
 
     def _between_the_last(self) -> list[Item]:
         """Return what faces another thing, and that, where it was said last: "two armchairs facing it and a table in between"."""
-        last = next((link for link in reversed(self.said.links) if link.relation != "with"), None)
-        if last is None or last.relation not in ("facing", "opposite") or last.start < self.began:
+        here = [link for link in reversed(self._here) if link.relation != "with"]
+        last = next((link for link in here if link.relation not in ("flank", "around")), None)
+        if last is None or last.relation not in ("facing", "opposite"):
+            return []
+        # "a sofa facing the fireplace, an armchair on each side of the fireplace and a table in between"
+        if any(not named(link.objects) & named(last.objects) for link in here[: here.index(last)]):
             return []
         return [*last.subjects, *last.objects] if mentions(last.objects) else []
 

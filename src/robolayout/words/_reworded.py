@@ -80,6 +80,8 @@ _SAID = {
     r"(?:so (?:that )?)?(?:(?:the|a|an) \w+|PERSON) ABLE GO (around) (it|them)END": "with WIDTH of free space {1} {2}",
     "(?:(?:that|which) )?PERSON ABLE (?:reach|access|use|get to)END": "within reach of people",
     r"(?:keep|leave) (?:the |an? |any |all )?(\w+) out(?: of (?:it|here|there|(?:the|this) room))?END": "; no {1}",
+    "(?:hand )?tools (?:(?:hanging|hung|arranged|organi[sz]ed|mounted) )?on (an?|the) (peg ?board|tool wall)": "{1} {2}",
+    "(peg ?board|tool wall) (?:with|full of|for) (?:hand )?tools": "{1}",
     "(?:two|2) double rows": "4 rows back to back in pairs",
     "(?:three|3) double rows": "6 rows back to back in pairs",
     "double rows": "rows back to back in pairs",

@@ -84,6 +84,13 @@ class ToldRows:
         spaced = (link for link in links if link[0].relation == "apart" and not (link[2] or link[0].objects))
         # how far apart rows are
         self.aisle = {name: link.metres[0] for link, named, _ in spaced for name in named}
+        # "1.2 m of free floor around the benches" is between them, too
+        around = [
+            link
+            for link in links
+            if link[0].relation == "cleared" and len(link[0].objects) == len(small.FREED["around"])
+        ]
+        free = {name: link.metres[0] for link, named, _ in around for name in named}
         # how many of each stand together, apart from the others
         shared = ((named, len(named) / max(link.rows, 1)) for link, named, _ in links if link.relation == "shares")
         each = [(named, link.rows) for link, named, _ in links if link.relation == "groups"]
@@ -92,7 +99,8 @@ class ToldRows:
         abreast = (named for link, named, _ in links if link.relation == "abreast" and alike(scene, named))
         # of those that are side by side, the one that tells how the others are turned
         self.middle = {name: named[len(named) // 2] for named in abreast for name in named}
-        self.gap = {name: link.metres[0] for link, named, _ in told for name in named}
+        self.gap = {name: max(link.metres[0], free.get(name, 0.0)) for link, named, _ in told for name in named}
+        self.aisle = free | self.aisle
         counted = [(named, lines(scene, link, named)) for link, named, _ in told]
         facing = {name for link, named, _ in links if link.relation == "facing" for name in named}
         # what stands in rows of which no number is said and looks somewhere: in about as many rows as are usual

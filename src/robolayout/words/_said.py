@@ -102,7 +102,7 @@ class NamedThing:
         if old == new:
             return True
         if old[-1] == new[-1] or old[-1].endswith(new[-1]):
-            return len(new) == 1 or len(old) == 1
+            return len(new) == 1 or len(old) == 1 or self.noun.kind == chunk.noun.kind
         return self.noun.kind == chunk.noun.kind
 
     def same_words(self, chunk: Chunk) -> bool:
