@@ -244,11 +244,8 @@ class References(Spoken):
         if chunk.value == "flank" and not objects and held and self.holder[0].thing.count == 2 and self.recent[2:]:
             own = {self.holder[0].thing, subjects[0].thing}  # "two nightstands with lamps on either side"
             return self.holder, [*[m for m in self.recent if m.thing not in own][:1]]
-        its_own = held and (self.group[-1].topped or (self.group[-1].sat_on and self.holder[0].thing.head in small.TOPS))
-        if chunk.value == "opposite" and its_own and not objects:  # "tables along the windows, a bar with stools opposite"
-            self.about = [*subjects, *self.holder]
-            objects = list(self._led_back(chunk.value))
-            return (self.holder if objects else subjects), objects
+        if chunk.value == "opposite" and held and not objects and (across := self._across(subjects)):
+            return self.holder, across
         kinds = [kind for one in subjects for kind in one.thing.noun.categories]
         hanging = any(kind.on_wall or kind.on_ceiling for kind in kinds)
         hanging = hanging or any(c.value in small.HANGING for c in self.chunks if c.end == chunk.start)
@@ -299,6 +296,12 @@ class References(Spoken):
         swapped = swapped and not (central and place_in(objects[:1], "wall", "corner", "window", "door"))
         return (self.holder if swapped else subjects), objects
 
+    def _across(self, subjects: Sequence[Mention]) -> list[Item]:
+        """Return what a thing is opposite with what it bears, or those who sit at it: "tables at the windows, a bar with stools opposite"."""
+        seats = self.group[-1].sat_on and self.holder[0].thing.head in small.TOPS
+        self.about = [*subjects, *self.holder]
+        return [*self._led_back("opposite")] if seats or self.group[-1].topped else []
+
     def _far_apart(self, chunk: Chunk) -> bool:
         """Note that each of several things is far from each other one: "a bed, a desk and a sofa, but not near each other"."""
         who = list(self.group or self.subject or self.before)
@@ -331,14 +334,6 @@ class References(Spoken):
         walls = Place("wall", ("opposite",), plural=True)
         self.said.links.append(Link("wall", tuple(self.group), (walls,), chunk.start, chunk.end))
         return True
-
-    def _said_again(self, chunk: Chunk, subjects: Sequence[Mention], objects: Sequence[Item]) -> bool:
-        """Return whether a relation says no more than the last one: "a plant flanks the door on each side", "back to back in pairs"."""
-        last = self.said.last
-        if {last.relation, chunk.value} == {"backs", "pairs"} and named(last.subjects) == named(subjects):
-            self.said.links[-1] = replace(last, relation="backs")
-            return True
-        return last.relation == chunk.value == "flank" and last.subjects == tuple(self.acted) and not objects
 
     def _counted(self, chunk: Chunk, subjects: Sequence[Mention], objects: Sequence[Item]) -> Sequence[Mention]:
         """Settle how many things are asked for that stand at each of several, at walls or in rows; return them."""

@@ -58,8 +58,9 @@ class Relating(About):
         who = self._ahead(-2)
         if self._in_an_aid("with"):
             return
+        before = [c for c in self.chunks[: self.at - 1] if c.kind not in ("measure", "filler", "style")]
         # "two sofas in a lounge with a piano against the wall"
-        if who.kind == "room" and self._ahead(-3).value == "in":
+        if [(c.kind == "room", c.value == "in") for c in before[:-3:-1]] == [(True, False), (False, True)]:
             self.group, self.subject, self.holder, self.target = [], [], [], None
         if who.kind in ("people", "body") and who.det == "each":
             self._each_has([], self._people() or 1)
@@ -263,6 +264,14 @@ class Relating(About):
         if chunk.number and subjects and subjects[0].thing.number is None:
             subjects[0].thing.number = chunk.number  # "in four rows of six"
         self._relate(chunk, subjects, objects, first)
+
+    def _said_again(self, chunk: Chunk, subjects: Sequence[Mention], objects: Sequence[Item]) -> bool:
+        """Return whether a relation says no more than the last one: "a plant flanks the door on each side", "back to back in pairs"."""
+        last = self.said.last
+        if {last.relation, chunk.value} == {"backs", "pairs"} and named(last.subjects) == named(subjects):
+            self.said.links[-1] = replace(last, relation="backs")
+            return True
+        return last.relation == chunk.value == "flank" and last.subjects == tuple(self.acted) and not objects
 
     def _on_what(self, chunk: Chunk, subjects: Sequence[Mention]) -> list[Item]:
         """Return the top whose left, right or middle is meant: "a desk with a lamp on the left and a computer in the middle"."""
