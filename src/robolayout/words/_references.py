@@ -297,7 +297,7 @@ class References(Spoken):
         return (self.holder if swapped else subjects), objects
 
     def _across(self, subjects: Sequence[Mention]) -> list[Item]:
-        """Return what a thing is opposite with what it bears, or those who sit at it: "tables at the windows, a bar with stools opposite"."""
+        """Return what a thing is opposite with what it bears, or those who sit at it: "a bar with stools opposite"."""
         seats = self.group[-1].sat_on and self.holder[0].thing.head in small.TOPS
         self.about = [*subjects, *self.holder]
         return [*self._led_back("opposite")] if seats or self.group[-1].topped else []
