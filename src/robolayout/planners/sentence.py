@@ -37,7 +37,7 @@ from robolayout.scene import (
     scene_from_dict,
     variable_name,
 )
-from robolayout.words import COUNTERS, SHAPES, Mention, NamedThing, dressing, mentions, named, place_in, visits
+from robolayout.words import ABREAST, COUNTERS, SHAPES, Mention, NamedThing, dressing, mentions, named, place_in, visits
 
 LOUNGE = {*DATA["nouns"]["lounge"]}
 ON_A_SOFA, AT_ONE_SOFA = 3, 5
@@ -310,7 +310,7 @@ def _people(wishes: RoomWishes, wished: dict[str, int]) -> int:
         chair = _chair(wishes)
         desks = sum(count for name, count in wished.items() if head(name) == "desk")
         if sum(wished[name] for name in adults) <= desks:  # what is asked for stands at the desks
-            wished[chair] = max(wished.get(chair, 0), desks) + wishes.seats
+            wished[chair] = max(wished.get(chair, 0), desks) + max(wishes.seats - _on_benches(wishes), 0)
     if wishes.reading.people:
         return 0 if room.couple and wishes.reading.people == 2 and not wishes.reading.young else wishes.reading.people
     taken = {head(name) for name in room.person}
@@ -323,6 +323,12 @@ def _people(wishes: RoomWishes, wished: dict[str, int]) -> int:
     seats = sum(count * (2 if max(kind.size[:2]) <= SIZES.for_two else 4) for kind, count in tables)
     own = [count for name, count in wished.items() if head(name) in taken and not visits(name)]
     return max(own, default=seats or _usual_people(wishes))
+
+
+def _on_benches(wishes: RoomWishes) -> int:
+    """Return how many sit on benches that are long for it: "a table for ten with benches on both sides"."""
+    long = (thing for thing, kind in wishes.asked.items() if kind.name == "bench" and thing.sizes)
+    return sum(thing.count * int(thing.sizes[-1].values[0] / ABREAST + 0.1) for thing in long)
 
 
 def _at_a_counter(wished: Mapping[str, int]) -> bool:

@@ -30,6 +30,7 @@ from robolayout.words.ledger import AskedRow as AskedRow
 from robolayout.words.ledger import Wishes as Wishes
 from robolayout.words.ledger import read_words as read_words
 from robolayout.words.ledger import share_met as share_met
+from robolayout.words.reading import ABREAST as ABREAST
 from robolayout.words.reading import Reading as Reading
 from robolayout.words.reading import read_text as read_text
 from robolayout.words.reading import sized as sized

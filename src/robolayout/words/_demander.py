@@ -42,7 +42,7 @@ class Demander(AtSides):
         on_floor = [(how, a, b) for how, a, b in twos if self._asset(a).on_floor]
         backed = {b for how, a, b in on_floor if how == "flank" or (how == "behind" and a not in sat_on)}
         self.surrounded = frozenset(backed.union(name for name, count in seats.items() if count > 2))
-        self.surrounded |= self._seated_around(self.cornered)
+        self.surrounded |= self._seated_around(self.cornered) | (self.askew & self.cornered)
         seated = (one for one in scene.assets if self._is(one.name, small.SEATS))
         hosted = any(not ways_of.visits(one.category) for one in seated)
         # desks with a seat behind them

@@ -211,6 +211,7 @@ def read_text(text: str, lexicon: Lexicon) -> Reading:
     young = "child_6" in bodies or len(siblings) > 1 or any(c.value in small.YOUNG for c in people)
     settle_kinds(parsed)
     _two_at_each(parsed.links)
+    _long_benches(parsed.links)
     parsed.links[:] = _had_nearby(parsed.links)
     number = _shared_out(parsed.things, _shaped(parsed.links, bounded(counts[0], "people")))
     seats = number or next((thing.people * thing.count for thing in parsed.things if thing.people), 0)
@@ -250,6 +251,18 @@ def _two_at_each(links: Sequence[Link]) -> None:
         for thing in (one.thing for one in link.subjects if several and one.thing.head == "stool"):
             if thing.plural and thing.number is None and thing.times == 1:
                 thing.number = 2 * several[0]
+
+
+def _long_benches(links: Sequence[Link]) -> None:
+    """Settle how long benches are that stand along a table for so many people, with chairs at its ends or without."""
+    at = [k for k in links if k.relation in ("around", "with", "oneside", "otherside")]
+    around = [(link.subjects, table.thing) for link in at for table in mentions(link.objects)]
+    for subjects, table in around:
+        chairs = sum(one.count for other, to in around if to is table for one in other if one.thing.head == "chair")
+        for bench in (one.thing for one in subjects if one.thing.head == "bench" and not one.thing.sizes):
+            most = min(table.people - chairs, math.ceil(table.people / 2) * bench.count)  # half of them at one side
+            wide = round(math.ceil(most / bench.count) * ABREAST, 2)
+            bench.sizes += [Measure("wide", (wide,), 0, 0)] * (wide > bench.category.size[1])
 
 
 def _shaped(links: Sequence[Link], number: int) -> int:
