@@ -256,6 +256,13 @@ class Relating(About):
             half = (f"{chunk.value} half", tuple(subjects), tuple(top), chunk.start, chunk.end)
             self.said.links += [Link(*half)] * (chunk.value != "middle")
             chunk, objects = replace(chunk, value="on"), top
+        between = last.relation == "amid" and self.having and named(last.objects) == named(self.holder) != set()
+        if between and chunk.value in ("left", "right") and not objects:
+            subjects, objects = (
+                self.holder,
+                [Place("side", (chunk.value,))],
+            )  # "two chairs with a table between, on the left"
+            chunk, self.holder = replace(chunk, value="in"), []
         subjects, objects = self._held_by(chunk, subjects, objects)
         if chunk.det == "its" and subjects == self.holder:  # "a table with a book to its right and a plant to its left"
             self.holder = []
@@ -297,7 +304,9 @@ class Relating(About):
         """Note what must not be so: where nearness is refused, a gap is asked for; of what must not be there nothing is."""
         place = place_in(objects[:1])
         barred = chunk.value in ("blocks", "wall")
-        if self.empty and place:
+        if place and place.name == "floor":  # "no rugs on the floor"
+            self._understood(chunk)
+        elif self.empty and place:
             self._keep_empty(chunk, objects)
         elif self.negated and subjects and (chunk.value in small.NEARNESS or (barred and place)):
             gap = Measure("apart", (KEPT_OFF, math.inf), 0, 0)

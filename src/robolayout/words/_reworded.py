@@ -37,6 +37,8 @@ _PARTS = {
     "MUSTS": rf"(?:(?:that|which) )?(?:is|are|being|stays?|remains?|{_MUST} (?:all )?be)",
     "MANY": r"(?:[3-9]|1\d|three|four|five|six|seven|eight|nine|ten|twelve)",
     "FEW": r"(?:\w+ ){0,2}\w+",
+    "ROBOT": r"(?:\w+ ){0,2}(?:robot(?: dog| vacuum)?|roomba|amr|humanoid|quadruped|cleaner)",
+    "WILL": rf"(?:will|shall|{_MUST}(?: be able to)?)",
     "END": r"(?= (?:[.,;:!?\n]|and|so)(?: |$)|$)",
 }  # fmt: skip
 _PARTS["AT"] = (
@@ -86,6 +88,12 @@ _SAID = {
     r"between (?:neighbou?ring|adjacent|adjoining) (\w+s)": "between each {1}",
     "on the outside(?: of (?:it|the u|the tables))?": "around them",
     "(?:,(?: and)? )?with the (?:back|rear|second) row (?:raised|elevated|on a (?:platform|riser))(?: and)?": "( unreadable ) ,",
+    "with (?:some |enough |free |plenty of )?(?:space|room) on (SIDES)": "with WIDTH of free space on {1}",
+    "(?:rolling )?table (?:on (?:wheels|casters) )?over (?:the|his|her) bed": "overbed table by the bed",
+    "(shop|store) for (shoes|books|clothes|toys)(?= with)": "{2} {1}",
+    "on the wall (?:to|on) the (left|right)(?! of)": "on the {1} wall",
+    "(an? ROBOT) (?:WILL )?(?:patrols?|cleans?|works? in|moves? (?:around |freely )?in|navigates?|drives? (?:around|through)) "
+    r"(?:this|the|an?|my|our) (\w+(?: room)?)(?= with)": "a {2} for {1}",
     "(?:two|2) double rows": "4 rows back to back in pairs",
     "(?:three|3) double rows": "6 rows back to back in pairs",
     "double rows": "rows back to back in pairs",

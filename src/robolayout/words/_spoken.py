@@ -381,7 +381,8 @@ class Spoken:
         self.told, self.by_it = self._ahead(-1).start, pronoun and fronted
         things = [item for item in mentions(objects) if item.thing.count == 1]
         if not pronoun or relation in small.OF_A_SIDE:
-            side = things[:1] or [item for item in objects[:1] if place_in([item], "door", "window")]
+            aside = relation in ("left", "right")  # "a desk before the window, a chair behind it" is behind the desk
+            side = things[:1] or [item for item in objects[:1] if aside and place_in([item], "door", "window")]
             self.contrast = (small.OTHER_SIDE[relation], side) if relation in small.OTHER_SIDE else ("", [])
         if things and (pronoun or (fronted and relation in small.AXES)):
             self.kept, self.axis, self.other = things[:1], "" if pronoun else small.AXES[relation], []
