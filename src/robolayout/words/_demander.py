@@ -48,7 +48,8 @@ class Demander(AtSides):
         # desks with a seat behind them
         at = [(how, a, b) for how, a, b in twos if self._is(b, ("desk",)) and self._sits_behind(a, b)]
         visited = {b for _, a, b in at if hosted and ways_of.visits(self._asset(a).category)}
-        self.manned = visited.union(b for how, _, b in at if how == "behind")
+        self.manning = {(a, b) for how, a, b in at if how == "behind"}
+        self.manned = visited.union(b for _, b in self.manning)
         # desks at which somebody looks at what is told; of these, those that look at who comes in
         turned = [(name, it.place) for link, it in asked if link.relation == "facing" for name in it.subjects]
         turned = [(name, at) for name, at in turned if self._looks(name)[1:] and self._is(name, ("desk",))]
@@ -294,8 +295,8 @@ class Demander(AtSides):
     def _facing(self, it: Asked) -> Iterator[Demand]:
         """Looking at a thing, a door or a window; a desk faces what one sees who sits at it."""
         others, subjects = it.others, it.subjects
-        if {*subjects} <= {*self.told.shape}:
-            yield from self.told.opening(subjects, [AssetRef(b) for b in others] or self._points(it.place))
+        if told := self._visiting_or_open(it):
+            yield from told
             return
         if len(others) < 2 and (one := self.told.before(subjects, facing=True)):  # the others look as it does
             yield Demand((tuple(stated("align_with", AssetRef(a), AssetRef(*one)) for a in subjects if a not in one),))
@@ -320,6 +321,16 @@ class Demander(AtSides):
                 ways = [*by_ways(ways_of.ABREAST, a, subjects[0]).ways, *ways]
             if ways:
                 yield Demand(tuple(ways))
+
+    def _visiting_or_open(self, it: Asked) -> list[Demand]:
+        """Return where seats stand that face a desk at which somebody sits, and that a shape is open to what it faces; else nothing."""
+        if len(it.others) == 1 and it.others[0] in self.manned and all(self._is(a, small.SEATS) for a in it.subjects):
+            visiting = [a for a in it.subjects if (a, it.others[0]) not in self.manning]
+            return [by_ways(ways_of.VISITING, a, it.others[0]) for a in visiting]
+        if {*it.subjects} <= {*self.told.shape}:
+            to = [AssetRef(b) for b in it.others] or self._points(it.place)
+            return [*self.told.opening(it.subjects, to)]
+        return []
 
     def _mirrored(self, it: Asked) -> Iterator[Demand]:
         for a, b in zip(it.subjects[::2], it.subjects[1::2], strict=False):

@@ -256,20 +256,14 @@ class Relating(About):
             half = (f"{chunk.value} half", tuple(subjects), tuple(top), chunk.start, chunk.end)
             self.said.links += [Link(*half)] * (chunk.value != "middle")
             chunk, objects = replace(chunk, value="on"), top
-        between = last.relation == "amid" and self.having and named(last.objects) == named(self.holder) != set()
-        if between and chunk.value in ("left", "right") and not objects:
-            subjects, objects = (
-                self.holder,
-                [Place("side", (chunk.value,))],
-            )  # "two chairs with a table between, on the left"
-            chunk, self.holder = replace(chunk, value="in"), []
+        if not objects and self._between_two(chunk, last):
+            chunk, subjects, objects = replace(chunk, value="in"), self.holder, [Place("side", (chunk.value,))]
+            self.holder = []
         subjects, objects = self._held_by(chunk, subjects, objects)
         if chunk.det == "its" and subjects == self.holder:  # "a table with a book to its right and a plant to its left"
             self.holder = []
             self._keep(chunk.value, objects, pronoun=False, fronted=False)
         self._as_many(chunk, subjects, objects, every=every)
-        if chunk.number and subjects and subjects[0].thing.number is None:
-            subjects[0].thing.number = chunk.number  # "in four rows of six"
         self._relate(chunk, subjects, objects, first)
 
     def _said_again(self, chunk: Chunk, subjects: Sequence[Mention], objects: Sequence[Item]) -> bool:
@@ -279,6 +273,11 @@ class Relating(About):
             self.said.links[-1] = replace(last, relation="backs")
             return True
         return last.relation == chunk.value == "flank" and last.subjects == tuple(self.acted) and not objects
+
+    def _between_two(self, chunk: Chunk, last: Link) -> bool:
+        """Return whether two things are on a side of the room with what is between them: "chairs with a table between them on the left"."""
+        held = self.having and last.relation == "amid" and named(last.objects) == named(self.holder)
+        return held and chunk.value in ("left", "right")
 
     def _on_what(self, chunk: Chunk, subjects: Sequence[Mention]) -> list[Item]:
         """Return the top whose left, right or middle is meant: "a desk with a lamp on the left and a computer in the middle"."""
@@ -291,6 +290,8 @@ class Relating(About):
 
     def _as_many(self, chunk: Chunk, subjects: Sequence[Mention], objects: Sequence[Item], *, every: bool) -> None:
         """Count what each of some things has: "each facing a mirror", "four chairs facing mirrors"."""
+        if chunk.number and subjects and subjects[0].thing.number is None:
+            subjects[0].thing.number = chunk.number  # "in four rows of six"
         for item in mentions(objects) if subjects else ():
             thing = item.thing
             told = chunk.value in small.REVERSED and item.det != "the"  # "each surrounded by six chairs"

@@ -94,6 +94,9 @@ AT_A_DESK: Ways = ((("in_front_of", -BESIDE, BESIDE),), (("behind", -BESIDE, BES
 ACROSS_A_DESK: Ways = ((("behind", 0.0, BESIDE), ("align_with", 0.0)), (("behind", 0.0, AHEAD),))
 """Where a seat and another thing stand that are in front of a desk behind which somebody sits."""
 
+VISITING: Ways = ((("behind", 0.0, AHEAD), ("align_with", 0.0)),)
+"""Where seats stand that face a desk behind which somebody sits."""
+
 BEFORE_WATCHED: Ways = (
     (("in_front_of", 0.0, LOOKING), ("point_towards",)),
     (("near", LOOKING), ("align_with", 180.0)),
