@@ -236,17 +236,18 @@ class RoomWishes:
         name, shown = self.kind(thing), self._shown(thing)
         kind = self.lexicon.kinds[name]
         told = {"square", *(SIZE_WORDS if name != thing.noun.kind else ())} & {*thing.noun.said.split()}
-        on = (link for link in self.reading.parsed.links if link.relation == "on" and thing in named(link.subjects))
-        told |= {"tabletop" for link in on for at in mentions(link.objects) if not at.flat}
+        on = (k.objects for k in self.reading.parsed.links if k.relation == "on" and thing in named(k.subjects))
+        told |= {"tabletop" for to in on for at in mentions(to) if not at.flat}
         if name in self.meshes:
             size = sized(kind, (), thing.sizes)
         else:
-            size = self._large_enough(thing, sized(kind, (*thing.adjectives, *told), thing.sizes, thing.noun.said))
+            said = (*thing.adjectives, *thing.told, *told)
+            size = self._large_enough(thing, sized(kind, said, thing.sizes, thing.noun.said))
         if not all(0.0 < side <= LONGEST for side in size):
             shape = f"{' x '.join(f'{side:g}' for side in size)} m"
             raise SceneError(f"a {shown} of {shape} cannot be placed; give it sides above 0 and at most {LONGEST:g} m.")
-        like = kind.like or (name if shown != name else "")
-        return self._as_placed(thing, replace(kind, name=shown, like=like, size=size))
+        like = name if shown != name else ""
+        return self._as_placed(thing, replace(kind, name=shown, like=kind.like or like, size=size))
 
     def _as_placed(self, thing: NamedThing, kind: Category) -> Category:
         """Return a kind as it is where it is asked to be: on a thing, under the ceiling, flat on a wall, on one of its own."""
