@@ -15,7 +15,7 @@ from typing import Any
 
 from robolayout import _errors
 from robolayout._files import write_atomic
-from robolayout.constraints import IMPLICIT, RELATIONS
+from robolayout.constraints import RELATIONS
 from robolayout.many import Spec
 from robolayout.planners import scene_from_sentence
 from robolayout.scene import agent_names, load_agent
@@ -41,10 +41,9 @@ def relations() -> str:
 def statements() -> str:
     """Return one row per relation with its arguments, what it asks, what moves and when it counts as met."""
     rows: list[list[str]] = []
-    for kind in (*RELATIONS.values(), *(type(relation) for relation in IMPLICIT)):
+    for kind in RELATIONS.values():
         call = f"`{kind.name}({', '.join(_argument(field) for field in kind.arguments())})`"
-        met = (kind.check.__doc__ or "").strip()
-        rows.append([call if not kind.implicit else f"{kind.name} (in every program)", kind.meaning(), met])
+        rows.append([call, kind.meaning(), (kind.check.__doc__ or "").strip()])
     return table(["statement", "what it asks", "met if"], rows)
 
 

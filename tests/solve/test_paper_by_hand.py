@@ -20,6 +20,7 @@ from robolayout.solve.paper.solver import (
     paper_loss,
     problematic,
     rates,
+    reach_pairs,
 )
 from solve.paper_rooms import BOXES, PROGRAM, SQUARE, problem
 
@@ -116,6 +117,12 @@ def test_both_boxes_are_problematic(boxes):
     assert problematic(boxes, boxes.start) == (0, 1)
     apart = boxes.start + np.array([[0.0] * 4, [1.0, 1.0, 0.0, 0.0]])
     assert problematic(boxes, apart) == ()
+
+
+def test_the_agent_passes_between_the_smaller_sides():
+    sizes = {"box-0": (0.6, 1.0, 0.8), "box-1": (1.6, 0.8, 0.75)}
+    (required,) = reach_pairs(problem(assets=tuple(Asset(name, "box", size) for name, size in sizes.items()))).values()
+    assert required == pytest.approx(0.3 + 0.4 + 2 * 0.3)
 
 
 def test_no_radius_no_reach():

@@ -5,6 +5,8 @@ from importlib.metadata import entry_points
 
 from robolayout._reading.plugins import loaded
 from robolayout.constraints._exact import TOLERANCE as TOLERANCE
+from robolayout.constraints._implicit import implicit_terms as implicit_terms
+from robolayout.constraints._overlap import share_height as share_height
 from robolayout.constraints._refs import AssetRef as AssetRef
 from robolayout.constraints._refs import PointRef as PointRef
 from robolayout.constraints._refs import Ref as Ref
@@ -16,24 +18,14 @@ from robolayout.constraints._registry import register_file as register_file
 from robolayout.constraints._relation import FAR as FAR
 from robolayout.constraints._relation import ClearTerm as ClearTerm
 from robolayout.constraints._relation import FrameTerm as FrameTerm
-from robolayout.constraints._relation import InsideTerm as InsideTerm
 from robolayout.constraints._relation import Interval as Interval
 from robolayout.constraints._relation import MirrorTerm as MirrorTerm
 from robolayout.constraints._relation import Outcome as Outcome
 from robolayout.constraints._relation import OverlapTerm as OverlapTerm
-from robolayout.constraints._relation import PairwiseTerm as PairwiseTerm
 from robolayout.constraints._relation import Relation as Relation
 from robolayout.constraints._relation import Term as Term
 from robolayout.constraints._relation import Way as Way
 from robolayout.constraints._relation import argument as argument
-from robolayout.constraints.door_clear import DoorClear
-from robolayout.constraints.inside_room import InsideRoom
-from robolayout.constraints.no_overlap import NoOverlap
-from robolayout.constraints.reachable_pairwise import ReachablePairwise as ReachablePairwise
-from robolayout.constraints.room_to_open import RoomToOpen
-
-IMPLICIT: tuple[Relation, ...] = (NoOverlap(), InsideRoom(), DoorClear(), RoomToOpen())
-"""What belongs to every program; the `paper` profile adds `ReachablePairwise`."""
 
 _BUILT_IN = """
 against_wall distance_constraint on_top_of inside align_with point_towards symmetric_pair next_to near in_front_of

@@ -19,9 +19,8 @@ class Tolerances:
 
     angle: float = 10.0  # degrees by which a heading may be off
     gap: float = 0.05  # metres by which a distance or gap may be off
-    area: float = 1e-4  # square metres of common plan from which on two prisms collide
     height: float = 0.01  # metres of common height from which on two prisms collide
-    outside: float = 0.01  # metres by which the room is grown
+    outside: float = 0.01  # metres by which a corner of a zone may lie within its hull
     support: float = 0.02  # metres between a thing's bottom and the surface that carries it
     mirror: float = 0.10  # metres between a thing and the mirror image of its twin
     center: float = 0.10  # metres by which a centre may be off

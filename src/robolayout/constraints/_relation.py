@@ -110,24 +110,7 @@ class OverlapTerm:
     second: Prism  # the prism of `b`
 
 
-@dataclass(frozen=True)
-class InsideTerm:
-    """One row of the boundary kernel: the footprint of `a` stays in the room."""
-
-    a: AssetRef
-
-
-@dataclass(frozen=True)
-class PairwiseTerm:
-    """One row of the paper's reachability kernel: centres at least `required` metres apart, relu(required^2 - d^2)."""
-
-    a: AssetRef
-    b: AssetRef
-    required: float
-    weight: float
-
-
-Term = FrameTerm | MirrorTerm | ClearTerm | OverlapTerm | InsideTerm | PairwiseTerm
+Term = FrameTerm | MirrorTerm | ClearTerm | OverlapTerm
 
 
 @dataclass(frozen=True)
@@ -166,8 +149,6 @@ class Relation(ABC):
     moves: ClassVar[tuple[str, ...]] = ("a",)  # which arguments the solver may move to satisfy it
     # whether it settles the heading of its first argument (the filter allows one of those per asset)
     orients: ClassVar[bool] = False
-    hard: ClassVar[bool] = False  # whether it must hold before anything else counts
-    implicit: ClassVar[bool] = False  # whether it belongs to every program and cannot be written in one
     # whether the terms ask for more than the check, such as a whole footprint where the check wants the centre: the
     # laws then hold one direction only, residual 0 means that the check passes
     surrogate: ClassVar[bool] = False

@@ -11,9 +11,9 @@ from shapely import MultiPoint, Polygon
 
 from robolayout.assets.surfaces import surfaces_of
 from robolayout.constraints._exact import TOLERANCE, facing_error, footprint, frame, half_size
+from robolayout.constraints._overlap import prisms_meet
 from robolayout.constraints._refs import AssetRef
 from robolayout.constraints._relation import FrameTerm, Interval, Outcome, Relation, Term, argument
-from robolayout.constraints.no_overlap import prisms_meet
 from robolayout.scene import Asset, Layout, Pose, Scene
 
 Slot = tuple[float, float, float]

@@ -3,12 +3,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Collection
 from dataclasses import dataclass
 
-from shapely import box
-from shapely.affinity import rotate, translate
-from shapely.geometry.base import BaseGeometry
+from shapely import Polygon
 
 from robolayout.constraints._exact import TOLERANCE, common_area, footprint, half_size
 from robolayout.constraints._refs import AssetRef
@@ -36,8 +33,22 @@ class KeepClear(Relation):
     def check(self, scene: Scene, layout: Layout) -> Outcome:
         """At most 0.01 m2 of other footprints (rugs aside) in the strip."""
         (x, y), (hx, hy) = self._strip(scene)
-        strip = box(x - hx, y - hy, x + hx, y + hy)
-        return region_outcome(scene, layout, self.a, strip, strip_span(scene, layout, self.a), self._aside(scene))
+        here, (low, high) = layout[self.a.name], strip_span(scene, layout, self.a)
+        strip = Polygon([here.point(x + i * hx, y + j * hy) for i, j in ((-1, -1), (1, -1), (1, 1), (-1, 1))])
+        middle, reach, aside = here.point(x, y), math.hypot(hx, hy), {self.a.name, *self._aside(scene)}
+        taken = dict[str, float]()
+        for asset in scene.assets:
+            if asset.is_flat or asset.name not in layout or asset.name in aside:
+                continue
+            bottom, top = vertical_span(asset, layout[asset.name])
+            far = math.dist(middle, layout[asset.name].at) > reach + math.hypot(*asset.size[:2]) / 2
+            if far or bottom >= high or top <= low:
+                continue
+            taken[asset.name] = common_area(strip, footprint(scene, layout, AssetRef(asset.name)))
+        blamed = tuple(name for name, area in taken.items() if area > TOLERANCE.strip)
+        worst = max(blamed, key=taken.__getitem__, default="")
+        text = f"{taken[worst]:.2f} m2 of {worst} in the strip" if blamed else "free"
+        return Outcome(not blamed, max(taken.values(), default=0.0), TOLERANCE.strip, "m2", text, blamed)
 
     def _aside(self, scene: Scene) -> frozenset[str]:
         """Return the names of what may stand there, with what only stands on other things: its bearer is counted, or may be there."""
@@ -56,32 +67,3 @@ def strip_span(scene: Scene, layout: Layout, owner: AssetRef) -> tuple[float, fl
     """Return between which heights in metres a thing's strip is to be free: its own, a threshold of 2 cm aside."""
     low, high = vertical_span(scene.by_name[owner.name], layout[owner.name])
     return (low + 0.02, high)
-
-
-def region_outcome(
-    scene: Scene,
-    layout: Layout,
-    owner: AssetRef,
-    region: BaseGeometry,
-    heights: tuple[float, float],
-    exempt: Collection[str] = (),
-) -> Outcome:
-    """Return how much of a region in its owner's frame, between two heights of the room, is taken by the worst thing."""
-    pose = layout[owner.name]
-    strip = translate(rotate(region, pose.yaw, origin=(0, 0), use_radians=True), pose.x, pose.y)
-    x0, y0, x1, y1 = strip.bounds
-    middle, reach = ((x0 + x1) / 2, (y0 + y1) / 2), math.hypot(x1 - x0, y1 - y0) / 2
-    low, high = heights
-    taken = dict[str, float]()
-    for asset in scene.assets:
-        if asset.name == owner.name or asset.is_flat or asset.name not in layout or asset.name in exempt:
-            continue
-        bottom, top = vertical_span(asset, layout[asset.name])
-        far = math.dist(middle, layout[asset.name].at) > reach + math.hypot(*asset.size[:2]) / 2
-        if far or bottom >= high or top <= low:
-            continue
-        taken[asset.name] = common_area(strip, footprint(scene, layout, AssetRef(asset.name)))
-    blamed = tuple(name for name, area in taken.items() if area > TOLERANCE.strip)
-    worst = max(blamed, key=taken.__getitem__, default="")
-    text = f"{taken[worst]:.2f} m2 of {worst} in the strip" if blamed else "free"
-    return Outcome(not blamed, max(taken.values(), default=0.0), TOLERANCE.strip, "m2", text, blamed)

@@ -23,7 +23,6 @@ class OnTopOf(Relation):
     """`a` stands on top of `b`: on its highest place that can hold it (a cushion on the seat), or on the `surface` named so."""
 
     name = "on_top_of"
-    hard = True
     surrogate = True  # its whole footprint stays over the place, where the check wants the centre
     example = "solver.on_top_of(lamp[0], night_stand[0])"
 

@@ -17,7 +17,7 @@ from shapely import Point
 
 from robolayout._reading import whole
 from robolayout.assets import Surface, place_of, resting_place, surfaces_of
-from robolayout.constraints import IMPLICIT, AssetRef, FrameTerm, MirrorTerm, Relation, Term, WallRef
+from robolayout.constraints import AssetRef, FrameTerm, MirrorTerm, Relation, Term, WallRef, implicit_terms
 from robolayout.constraints.above import Above
 from robolayout.constraints.against_wall import wall_term
 from robolayout.constraints.behind import Behind
@@ -109,8 +109,8 @@ class Problem:
 
     @cached_property
     def implicit_terms(self) -> tuple[Term, ...]:
-        """Rows of the implicit relations."""
-        return tuple(term for relation in IMPLICIT for term in relation.terms(self.scene, self.guess))
+        """Rows of what belongs to every program."""
+        return implicit_terms(self.scene, self.guess)
 
     @cached_property
     def wall_terms(self) -> tuple[FrameTerm, ...]:

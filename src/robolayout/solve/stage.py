@@ -20,7 +20,6 @@ from robolayout.constraints import (
     AssetRef,
     ClearTerm,
     FrameTerm,
-    InsideTerm,
     Interval,
     MirrorTerm,
     OverlapTerm,
@@ -111,8 +110,7 @@ def make_stage(problem: Problem, number: int, world: Floats) -> Stage:
     free, inside = np.zeros((size, 3)), np.zeros(size)
     free[list(moving)] = 1.0
     free[list(set(moving) - _turning(problem)), 2] = 0.0
-    kept_in = {problem.slot[term.a.name] for term in terms if isinstance(term, InsideTerm)} & set(moving)
-    inside[[slot for slot in kept_in if not _held(problem, slot)]] = 1.0
+    inside[[slot for slot in moving if not _held(problem, slot)]] = 1.0
     room = problem.scene.room
     ring = [(*wall.start, *wall.end) for wall in room.walls]
     inner = [vertex for i, vertex in enumerate(room.vertices) if i not in convex_corners(room)]

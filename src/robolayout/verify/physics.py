@@ -1,8 +1,8 @@
 """Physics: is everything placed, apart, inside, held, and are the doors clear?
 
-The exact checks of the implicit relations (DESIGN section 4), measured with Shapely on the finished layout. Two assets
-collide when prisms of theirs share more than 1e-4 m2 in plan and more than 1 cm of height; rugs below 3 cm never collide.
-What stands on a thing lies on one of its surfaces with its centre of mass over that.
+The exact checks of what belongs to every program, measured with Shapely on the finished layout. Two assets collide when
+prisms of theirs share more than 1e-4 m2 in plan and more than 1 cm of height; rugs below 3 cm never collide. What
+stands on a thing lies on one of its surfaces with its centre of mass over that.
 """
 
 from __future__ import annotations

@@ -236,7 +236,7 @@ def _opening(room: Room, opening: Opening) -> dict[str, object]:
 
 def vocabulary() -> str:
     """Return signature, meaning and example of every relation that a program may state, and how it becomes a wish."""
-    return "\n\n".join([*(entry(relation) for relation in RELATIONS.values() if not relation.implicit), WISHES])
+    return "\n\n".join([*map(entry, RELATIONS.values()), WISHES])
 
 
 def entry(relation: type[Relation]) -> str:

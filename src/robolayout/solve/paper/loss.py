@@ -15,12 +15,14 @@ import jax.numpy as jnp
 from jaxtyping import Array, Float
 
 from robolayout._geometry import Body, intersection_over_union
-from robolayout.constraints.reachable_pairwise import ALPHA
 from robolayout.solve.arrays import statement_residuals, yielding
 from robolayout.solve.paper.solver import Table
 
 OVERLAP = 1000.0
 """Scale of the overlap loss (the paper's table of constraints)."""
+
+REACH = 0.01
+"""Scale of the loss of pairwise reach (section "Reachability Constraint")."""
 
 SHRINK = 0.1
 """L = 0.1 L_total (section "Objective Function")."""
@@ -57,7 +59,7 @@ def loss_terms(poses: Float[Array, "slots 4"], table: Table) -> Float[Array, " t
     first, second = take(table.pairs[:, 0]), take(table.pairs[:, 1])
     overlap = OVERLAP * jnp.sum(table.pair_weight * intersection_over_union(first, second))
     squared = (first.x - second.x) ** 2 + (first.y - second.y) ** 2
-    reach = ALPHA * jnp.sum(jnp.maximum(table.required**2 - squared, 0.0))
+    reach = REACH * jnp.sum(jnp.maximum(table.required**2 - squared, 0.0))
     loose = 1.0 - table.held
     covered = intersection_over_union(take(table.stacks[:, 0]), yielding(take(table.stacks[:, 1]), loose))
     framed, mirrored = statement_residuals(take, table, loose)

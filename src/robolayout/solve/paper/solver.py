@@ -16,8 +16,8 @@ from typing import Any, ClassVar, NamedTuple
 import numpy as np
 from shapely import Polygon
 
-from robolayout.constraints import PairwiseTerm, ReachablePairwise
-from robolayout.constraints.no_overlap import share_height
+from robolayout.assets import place_of
+from robolayout.constraints import share_height
 from robolayout.constraints.on_top_of import OnTopOf
 from robolayout.scene import Room, Snapshot, Trace
 from robolayout.solve import programs
@@ -112,10 +112,14 @@ def overlap_pairs(problem: Problem) -> set[tuple[int, int]]:
 
 
 def reach_pairs(problem: Problem) -> dict[tuple[int, int], float]:
-    """Return the pairs that must let the agent pass, with the metres between their centres that this takes."""
-    terms = ReachablePairwise().terms(problem.scene, problem.guess)
-    rows = ((problem.slot[t.a.name], problem.slot[t.b.name], t.required) for t in terms if isinstance(t, PairwiseTerm))
-    return {(a, b): required for a, b, required in rows if _apart(problem, a, b)}
+    """Return the pairs of floor things that must let the agent's disc pass, rugs aside, with the metres between their centres.
+
+    These are e_i + e_j + 2 r, e half the smaller side and r the radius (the paper's section "Reachability Constraint").
+    """
+    assets, radius = problem.scene.assets, problem.scene.agent.radius
+    floor = [i for i, asset in enumerate(assets) if place_of(asset) == "floor" and not asset.is_flat]
+    pairs = [(a, b) for a, b in combinations(floor, 2) if radius > 0 and _apart(problem, a, b)]
+    return {(a, b): min(assets[a].size[:2]) / 2 + min(assets[b].size[:2]) / 2 + 2 * radius for a, b in pairs}
 
 
 def _apart(problem: Problem, a: int, b: int) -> bool:

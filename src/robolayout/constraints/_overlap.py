@@ -1,20 +1,15 @@
-"""Implicit `no_overlap`: no two things are in the same place."""
+"""Which prisms of two things would collide: those that share a height."""
 
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 from functools import lru_cache
-from itertools import combinations
 
-import shapely
 from shapely import Polygon
 
 from robolayout.assets import Prism, prisms_of
-from robolayout.constraints._exact import TOLERANCE, common_area, footprint
-from robolayout.constraints._refs import AssetRef
-from robolayout.constraints._relation import Outcome, OverlapTerm, Relation, Term
-from robolayout.scene import Asset, Layout, Pose, Scene, vertical_span
+from robolayout.constraints._exact import TOLERANCE
+from robolayout.scene import Asset, Layout, Pose, vertical_span
 
 
 def share_height(a: Asset, b: Asset, layout: Layout) -> bool:
@@ -57,37 +52,6 @@ def prisms_meet(one: tuple[Asset, Pose], other: tuple[Asset, Pose], margin: floa
         return False
     apart = vertical_span(b, there)[0] - vertical_span(a, here)[0]
     return any(_placed(p, here).distance(_placed(q, there)) < margin for p, q in _meeting(a, b, round(apart, 4)))
-
-
-@dataclass(frozen=True)
-class NoOverlap(Relation):
-    """No two things at the same height overlap in plan; flat rugs may lie under furniture."""
-
-    name = "no_overlap"
-    hard = True
-    implicit = True
-    example = ""
-
-    def terms(self, scene: Scene, near: Layout) -> tuple[Term, ...]:
-        """Return one row per pair of prisms that share a height."""
-        return tuple(
-            OverlapTerm(AssetRef(a.name), AssetRef(b.name), first, second)
-            for a, b in combinations(scene.assets, 2)
-            for first, second in meeting_prisms(a, b, near)
-        )
-
-    def check(self, scene: Scene, layout: Layout) -> Outcome:
-        """At most 1e-4 m2 in common for every pair of prisms that share more than 1 cm of height."""
-        worst, text = 0.0, "nothing overlaps"
-        placed = [asset for asset in scene.assets if asset.name in layout]
-        shapes = {asset.name: footprint(scene, layout, AssetRef(asset.name)) for asset in placed}
-        for a, b in combinations(placed, 2):
-            if shapely.intersects(shapes[a.name], shapes[b.name]):
-                for first, second in meeting_prisms(a, b, layout):
-                    area = common_area(_placed(first, layout[a.name]), _placed(second, layout[b.name]))
-                    if area > max(worst, TOLERANCE.area):
-                        worst, text = area, f"{a.name} and {b.name} overlap by {area:.4f} m2"
-        return Outcome.at_most(TOLERANCE.area, worst, "m2", text)
 
 
 def _placed(prism: Prism, pose: Pose) -> Polygon:
