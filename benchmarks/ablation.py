@@ -18,7 +18,6 @@ from benchmarks.store import Row
 from benchmarks.tables import Rows, mean, phases, summary, table
 from robolayout.planners import OfflinePlanner, PlanRequest
 from robolayout.solve import Effort, SolverConfig
-from robolayout.solve.config import Weights
 from robolayout.solve.runner import STILL
 
 DEFAULT = SolverConfig()
@@ -29,7 +28,6 @@ CONFIGS: dict[str, SolverConfig] = {
     "no construction": replace(DEFAULT, effort=replace(DEFAULT.effort, built=0, mendings=0)),
     "no mending, no repair": replace(DEFAULT, effort=Effort(nearby=0, mendings=0)),
     "no routes anywhere": replace(DEFAULT, route_rounds=0),
-    "overlap by IoU": replace(DEFAULT, weights=replace(DEFAULT.weights, iou=1000.0 / DEFAULT.weights.overlap)),
     **{f"{n} starts": replace(DEFAULT, starts=n, kept=min(n, DEFAULT.kept)) for n in (1, 4, 64)},
     "gradients alone": replace(
         DEFAULT,
@@ -54,7 +52,7 @@ ROUGH = TASKS[::3] + TASKS[1::3]
 
 
 _rough = cache(rough)
-_compiled = set[tuple[str, Weights]]()
+_compiled = set[str]()
 
 
 def cases(quick: bool) -> Iterator[tuple[str, Callable[[], Row]]]:
@@ -103,9 +101,9 @@ def _thrown(scene: rl.Scene, rng: Random) -> Iterator[str]:
 
 def solved(scene: rl.Scene, program: str, config: SolverConfig) -> Row:
     """Solve a program once it is compiled; say how far things went, which phase made the layout and which layout it is."""
-    if (program, config.weights) not in _compiled:
+    if program not in _compiled:
         rl.generate(scene, program=program, config=replace(config, effort=Effort(layouts=1)))
-        _compiled.add((program, config.weights))
+        _compiled.add(program)
     with watch() as spent:
         result = rl.generate(scene, program=program, config=config)
     gone = away(scene, result)

@@ -13,7 +13,6 @@ class Weights:
     """Factors of the hard terms against a statement of weight 1."""
 
     overlap: float = 60.0  # no overlap: factor on p^2 + 0.02 p, p the penetration in metres plus margin
-    iou: float = 0.0  # factor on the intersection over union, the paper's measure of overlap, in place of p^2 + 0.02 p; 0 takes that
     inside: float = 60.0  # inside the room: factor on d^2 + 0.02 d, d metres outside
     clear: float = 60.0  # door landings and strips to keep clear: as overlap
     routes: float = 60.0  # routes: factor on d^2 + 0.02 d, d metres short of the clearance

@@ -15,15 +15,7 @@ import jax.numpy as jnp
 from jax.lax import cond, stop_gradient
 from jaxtyping import Array, Float
 
-from robolayout._geometry import (
-    Body,
-    compose,
-    cut_separation,
-    extents,
-    intersection_over_union,
-    penetration,
-    separation,
-)
+from robolayout._geometry import Body, compose, cut_separation, extents, penetration, separation
 from robolayout.solve.arrays import (
     HISTORY,
     SNAPSHOTS,
@@ -77,28 +69,12 @@ def take(body: Body, index: Array) -> Body:
     return Body(*(field[rows, index] for field in body))
 
 
-def _prisms(body: Body, arrays: Arrays, pairs: Array) -> tuple[Body, Body]:
-    """Return the first and the second prisms of pairs where their slots are."""
-    prisms = within(take(body, arrays.prism_slot), arrays.prism)
-    return take(prisms, pairs[..., 0]), take(prisms, pairs[..., 1])
-
-
 def overlap_gaps(body: Body, arrays: Arrays, pairs: Array) -> Array:
     """Return how many metres each pair of prisms is apart, less than 0 where they overlap; infinite for one and itself."""
-    cut = arrays.prism[:, 4]
-    apart = cut_separation(*_prisms(body, arrays, pairs), cut[pairs[..., 0]], cut[pairs[..., 1]])
-    return jnp.where(pairs[..., 0] == pairs[..., 1], jnp.inf, apart)
-
-
-def overlap_losses(body: Body, arrays: Arrays, pairs: Array, weights: Weights) -> Array:
-    """Return the loss of each pair of prisms by how deep they are in each other, or by their intersection over union."""
-    if not weights.iou:
-        return hard(jnp.maximum(weights.margin - overlap_gaps(body, arrays, pairs), 0.0), weights)
-    same = pairs[..., 0] == pairs[..., 1]
-    first, second = _prisms(body, arrays, pairs)
-    # A slot that is only there to fill a list has no size: its share of itself is 0 / 0, whose slope spoils all others.
-    sized = first._replace(hx=jnp.where(same, 1.0, first.hx), hy=jnp.where(same, 1.0, first.hy))
-    return weights.iou * jnp.where(same, 0.0, intersection_over_union(sized, second))
+    prisms, cut = within(take(body, arrays.prism_slot), arrays.prism), arrays.prism[:, 4]
+    one, other = pairs[..., 0], pairs[..., 1]
+    apart = cut_separation(take(prisms, one), take(prisms, other), cut[one], cut[other])
+    return jnp.where(one == other, jnp.inf, apart)
 
 
 def everything(arrays: Arrays) -> Touching:
@@ -115,6 +91,7 @@ def losses(local: Poses, arrays: Arrays, routes: Array, near: Touching, weights:
     body = body._replace(c=stop_gradient(body.c), s=stop_gradient(body.s))  # things make way, but do not turn for it
     at = partial(take, body)
     strips = within(take(body, arrays.clear_owner), arrays.clear_box)
+    overlap = hard(jnp.maximum(weights.margin - overlap_gaps(body, arrays, near.pairs), 0.0), weights)
     depths = penetration(take(strips, near.clears[..., 0]), at(near.clears[..., 1]), weights.margin)
     clear = hard(depths, weights)
 
@@ -129,7 +106,7 @@ def losses(local: Poses, arrays: Arrays, routes: Array, near: Touching, weights:
         return jnp.zeros(len(local))
 
     return Losses(
-        overlap=jnp.sum(overlap_losses(body, arrays, near.pairs, weights), axis=-1),
+        overlap=jnp.sum(overlap, axis=-1),
         boundary=cond(jnp.any(arrays.inside > 0.0), boundary, nothing),
         clear=jnp.sum(clear * arrays.clear_weight[near.clears[..., 0], near.clears[..., 1]], axis=-1),
         statements=pull,
