@@ -230,17 +230,15 @@ def test_no_import_cycles() -> None:
 
 
 def has_variant(tree: ast.Module, folder: str) -> bool:
-    """Return whether a module defines a relation, an exporter or a planner."""
-    classes = [node for node in tree.body if isinstance(node, ast.ClassDef)]
+    """Return whether a module defines a relation or an exporter."""
     if folder == "constraints":
+        classes = [node for node in tree.body if isinstance(node, ast.ClassDef)]
         return any(ast.unparse(base).endswith("Relation") for node in classes for base in node.bases)
-    if folder == "planners":
-        return any(getattr(item, "name", "") == "plan" for node in classes for item in node.body)
     values = [node.value for node in tree.body if isinstance(node, (ast.Assign, ast.AnnAssign))]
     return any(isinstance(value, ast.Call) and ast.unparse(value.func) == "Exporter" for value in values)
 
 
-@pytest.mark.parametrize(("folder", "least"), [("constraints", 20), ("export", 4), ("planners", 2)])
+@pytest.mark.parametrize(("folder", "least"), [("constraints", 20), ("export", 4)])
 def test_every_variant_has_its_line_in_the_folder(folder: str, least: int) -> None:
     page = PACKAGE / folder / "__init__.py"
     text = page.read_text(encoding="utf-8")

@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 
 import robolayout as rl
-from robolayout._errors import SceneError
+from robolayout._errors import ProgramError, SceneError
 from robolayout.planners import OfflinePlanner, PlanRequest
 from robolayout.run import bettering
 from robolayout.scene import Opening, layout_from_dict
@@ -305,6 +305,16 @@ def test_a_program_is_given_as_text_itself_or_its_file(tmp_path: Path) -> None:
     assert [one.layout for one in found] == [found[0].layout] * 3
     judged = [rl.judge(scene, found[0].layout, way).report.statements for way in ways]
     assert [(one.sentence, one.met) for (one,) in judged] == [("against_wall(my bed, walls[1])", True)] * 3
+
+
+def test_missing_binary_and_huge_programs_are_refused(tmp_path: Path) -> None:
+    scene, path = rl.Scene(rl.Room(SQUARE, 2.5), (BED,)), tmp_path / "program.py"
+    with pytest.raises(ProgramError, match=r"the program .*program\.py does not exist; check the path"):
+        rl.generate(scene, program=path)
+    for content, fault in ((b"\xff\xfe\x00", "not UTF-8"), (b"#" * 2_000_001, "larger than 2 MB")):
+        path.write_bytes(content)
+        with pytest.raises(ProgramError, match=fault):
+            rl.generate(scene, program=path)
 
 
 @pytest.mark.parametrize("x", [math.nan, 1e300])

@@ -220,11 +220,11 @@ def _programs() -> list[Any]:
 
 
 def _read_program(path: Path) -> object:
-    from robolayout.planners import FilePlanner, PlanRequest
     from robolayout.program import read_program, reconcile
+    from robolayout.run.given import as_text
 
     scene = _room()[0]
-    return reconcile(read_program(FilePlanner(path).plan(PlanRequest(scene)), scene), scene).to_dict()
+    return reconcile(read_program(as_text(path), scene), scene).to_dict()
 
 
 def _exported(name: str) -> Callable[[], list[Any]]:

@@ -11,8 +11,9 @@ import pytest
 from robolayout._errors import AgentError, InputError, LayoutError, ProgramError, SceneError
 from robolayout._reading import LIMITS, Checker, Unreadable
 from robolayout._reading.syntax import json_value, toml_value, xml_root
-from robolayout.planners import FilePlanner, OfflinePlanner, PlanRequest
+from robolayout.planners import OfflinePlanner
 from robolayout.planners.model.exchange import read_exchanges
+from robolayout.run.given import as_text
 from robolayout.scene import Asset, Room, Scene, load_agent, load_layout, load_scene
 
 SCENE = Scene(Room(((0, 0), (4, 0), (4, 5), (0, 5)), 2.6), (Asset("bed-0", "bed", (2, 1.6, 0.5)),))
@@ -28,7 +29,7 @@ ALL: dict[str, tuple[str, Read]] = {
     **{f"{name} JSON": (".json", read) for name, read in JSON.items() if name != "recording"},
     **{f"{name} TOML": (".toml", read) for name, read in TOML.items()},
     "URDF": (".urdf", load_agent),
-    "program": (".py", lambda path: FilePlanner(path).plan(PlanRequest(SCENE))),
+    "program": (".py", as_text),
 }
 
 BAD_JSON = {
@@ -98,7 +99,7 @@ def refused(read: Read, path: Path, content: bytes | None, said: str) -> None:
 def test_a_byte_order_mark_is_no_part_of_a_text(tmp_path: Path) -> None:
     path = tmp_path / "program.py"
     path.write_bytes(b"\xef\xbb\xbfx = 1\n")
-    assert FilePlanner(path).plan(PlanRequest(SCENE)) == "x = 1\n"
+    assert as_text(path) == "x = 1\n"
 
 
 def test_what_stands_in_quotes_is_not_counted() -> None:

@@ -77,10 +77,6 @@ class Who:
 
     def planner(self, run: RunFolder, seed: int) -> Planner:
         """Return the planner of one run."""
-        if self.program is not None:
-            from robolayout.planners import FilePlanner
-
-            return FilePlanner(self.program)
         if not self.asks_a_model:
             return self.by_rules()
         from robolayout.planners import ModelPlanner  # and with it pydantic, which takes 60 ms
@@ -235,6 +231,7 @@ def _laid_out(asked: Call, room: Scene, planner: Planner, seed: int) -> Result:
     with asked.progress() as tell:
         return arrange(
             room,
+            program=asked.program,
             planner=planner,
             seed=seed,
             solver=asked.solver,

@@ -1,4 +1,4 @@
-"""Who writes the constraint program: rules without a model, a model, or a file."""
+"""Who writes the constraint program: rules without a model, or a model."""
 
 from __future__ import annotations
 
@@ -16,7 +16,6 @@ from robolayout.planners._types import PlanRequest as PlanRequest
 from robolayout.planners._types import RoomPlanner as RoomPlanner
 
 if TYPE_CHECKING:
-    from robolayout.planners.file import FilePlanner as FilePlanner
     from robolayout.planners.model.feedback import Feedback as Feedback
     from robolayout.planners.model.judge import ModelJudge as ModelJudge
     from robolayout.planners.model.planner import ModelPlanner as ModelPlanner

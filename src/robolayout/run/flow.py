@@ -95,7 +95,7 @@ def generate(  # noqa: PLR0913 - the public page of everything that can be chose
             scene = planner.recognised(scene)
         if too_full := overfull(scene):
             raise SceneError(too_full[0])  # counted before any search
-        text = None if program is None else as_text(program, scene)
+        text = None if program is None else as_text(program)
     if solver == "default":
         traced = (config or SolverConfig()).trace  # a right guess needs no search, unless it is recorded
         warm_up(scene, config, missing_only=text is None and attempts > 1 and not traced)
@@ -186,11 +186,12 @@ class Run:
     def edited(self, planner: Planner, program: str | None, start: Layout, pinned: Mapping[str, Pose]) -> Attempt:
         """Mend a layout with the least change; what it does not place is planned and fitted in."""
         start = hung(self.scene, start, pinned, seed=self.seed)
-        if program is not None:
-            return self.finished([self._read(program, start)], self.scene, pinned)[0]
-        with self.clock.station("plan"):
-            placed = supported(self.scene, start, pinned)
-            program = planner.plan(PlanRequest(self.scene, placed=placed, seed=self.seed, asked=self.wishes.demands))
+        if program is None:
+            with self.clock.station("plan"):
+                placed = supported(self.scene, start, pinned)
+                program = planner.plan(
+                    PlanRequest(self.scene, placed=placed, seed=self.seed, asked=self.wishes.demands)
+                )
         asked = self._read(program, start)
         (least,) = self.finished([asked], self.scene, pinned)
         if self.solver != "default" or not least.solution.verdict.moved:

@@ -8,10 +8,9 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from robolayout._errors import InputError, among
-from robolayout._reading import whole
+from robolayout._errors import InputError, ProgramError, among
+from robolayout._reading import Checker, whole
 from robolayout.planners import (
-    FilePlanner,
     OfflinePlanner,
     Planner,
     PlanRequest,
@@ -38,6 +37,7 @@ from robolayout.verify import AgentSpec
 USUAL = 4.0
 """Weight of what the offline planner states of a thing, where it is only wished for as what is usual."""
 
+MAX_BYTES = 2_000_000  # largest program file in bytes that is read
 LONGEST_WORD = 45  # letters of the longest word of a dictionary: more of them without a blank are a path
 
 
@@ -95,10 +95,10 @@ def names_a_file(text: str) -> bool:
     return bool(name) and (not name.isalpha() or len(name) > LONGEST_WORD or os.path.exists(text))
 
 
-def as_text(program: Program | str | Path, scene: Scene) -> str:
+def as_text(program: Program | str | Path) -> str:
     """Return the text of a program that is given itself, as text, or as a file."""
     if isinstance(program, Path):
-        return FilePlanner(program).plan(PlanRequest(scene))
+        return Checker(ProgramError).read_text(program, "the program", MAX_BYTES)
     return program.to_text() if isinstance(program, Program) else program
 
 

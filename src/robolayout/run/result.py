@@ -111,7 +111,7 @@ def judge(scene: Scene, layout: Layout, program: Program | str | Path | None = N
     """Judge a layout, whoever made it, by a program if one is given: itself, its text, or its file as a `Path`."""
     wishes, said = read_words(scene), Program()
     if program is not None:
-        said = wishes.marked(read_program(as_text(program, scene), scene))
+        said = wishes.marked(read_program(as_text(program), scene))
     report = verify(scene, layout, None if program is None else said)
     report = replace(report, asked=wishes.judged(scene, report.layout, report.agents[0].navigation.main))
     return Result(scene, report.layout, report, said, reconcile(said, scene))
