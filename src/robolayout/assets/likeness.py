@@ -12,16 +12,19 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from itertools import product
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.spatial import KDTree
 
 from robolayout.assets.category import Category
 from robolayout.assets.meshes import builder_for
 from robolayout.assets.own import AXES
 from robolayout.assets.palette import make_piece
 from robolayout.assets.part import fit
+
+if TYPE_CHECKING:
+    from scipy.spatial import KDTree
 
 Array = NDArray[np.float64]
 Faces = Iterable[tuple[Array, NDArray[np.integer]]]
@@ -81,13 +84,19 @@ def _misfit(points: Array, way: tuple[str, str], category: Category, standard: t
     edges = np.maximum(np.ptp(turned, axis=0), 1e-9)
     stretch = np.log(edges / np.array(category.size))
     here = _unit(turned)
-    tree = KDTree(here)
+    tree = _tree(here)
     apart = min(
         (float(other.query(here)[0].mean()) + float(tree.query(there)[0].mean())) / 2
         for there, other in _models(category)
     )
     off = sum(cost for cost, a, b in zip(LIKENESS.standard, way, standard or way, strict=True) if a != b)
     return apart + LIKENESS.stretch * float(np.ptp(stretch)) + off
+
+
+def _tree(points: Array) -> KDTree:
+    from scipy.spatial import KDTree  # takes half a second to import, and most rooms have no meshes of their own
+
+    return KDTree(points)
 
 
 def _unit(points: Array) -> Array:
@@ -104,5 +113,5 @@ def _models(category: Category) -> tuple[tuple[Array, KDTree], ...]:
         piece = make_piece(category.name, category.name, category.name, category.size, seed)
         built = fit(builder_for(category)(piece), category.size)
         points = _unit(sampled((part.vertices, part.faces) for part in built))
-        found.append((points, KDTree(points)))
+        found.append((points, _tree(points)))
     return tuple(found)

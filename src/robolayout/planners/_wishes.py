@@ -39,11 +39,10 @@ from robolayout.words import (
 LACKING, LIKELY, TELLING = 0.6, 0.9, 6.0
 """What a room loses by each thing that it always has and that is not named, and what makes it likely, in things that belong there."""
 
-CARRIED = 0.5
-"""Square metres of floor that a thing takes at the most to be put on another, where it is asked to stand there."""
-
-FOOTLESS = 0.09
-"""Metres that a thing stands out from a wall at the most where it hangs there instead of standing on its foot."""
+CARRIED = 0.5  # square metres of floor up to which a thing is put on another, where it is asked to stand there
+FOOTLESS = (
+    0.09  # metres up to which a thing stands out from a wall where it hangs there instead of standing on its foot
+)
 
 Size = tuple[float, float, float]
 

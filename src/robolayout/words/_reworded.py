@@ -97,7 +97,7 @@ _SAID = {
     "(?:two|2) double rows": "4 rows back to back in pairs",
     "(?:three|3) double rows": "6 rows back to back in pairs",
     "double rows": "rows back to back in pairs",
-    "(?:four|4) (FEW) in a square": "4 {1} in two rows",
+    "(?:four|4) (FEW) in a square(?! around)": "4 {1} in two rows",
     "ABLE (?:get|drive|go|fit|pass|move|clean|crawl) (?:under|underneath|beneath)(?= ONE )": "can ; way under",
     "ABLE turn(?: a?round)? (AT)": "can ; TURNING of free space {1}",
     f"{_GETS} (?:everything|every (?:piece of furniture|corner)|all (?:of )?(?:the )?furniture)": "can ; WIDTH path to ;",
