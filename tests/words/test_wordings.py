@@ -562,3 +562,123 @@ def test_two_halves_that_share_nothing_are_two_ways() -> None:
     assert {point.x for point in (*left, *right)} == {0.0, 2.0, 4.0}
     (corner,) = halves_meant(room, Place("side", ("back", "left")))
     assert {(point.x, point.y) for point in corner} == {(x, y) for x in (0.0, 2.0) for y in (1.5, 3.0)}
+
+
+@pytest.mark.parametrize(
+    ("text", "meant", "not_meant"),
+    [
+        (
+            "An armchair by the window with a lamp behind it, a side table with a book to its right and a bookcase to its left.",
+            {("right", "side table", "armchair"), ("left", "bookcase", "armchair")},
+            {("right", "book", "side table"), ("left", "bookcase", "side table")},
+        ),
+        (
+            "Eight tables along the windows, a bar with six stools opposite and a host stand near the door.",
+            {("opposite", "bar", "table")},
+            {("opposite", "stool", "bar")},
+        ),
+        ("A desk with a chair opposite.", {("opposite", "chair", "desk")}, set()),
+        (
+            "A desk in the corner, a printer on a low cabinet next to it.",
+            {("next", "cabinet", "desk"), ("on", "printer", "cabinet")},
+            {("next", "cabinet", "printer")},
+        ),
+        (
+            "The sofa faces the fireplace, an armchair on either side of the fireplace, and a coffee table in between.",
+            {("amid", "coffee table", "sofa"), ("amid", "coffee table", "fireplace")},
+            {("amid", "coffee table", "armchair")},
+        ),
+        (
+            "A desk in front of the window, a leather chair behind it.",
+            {("behind", "chair", "desk")},
+            {("behind", "chair", "window")},
+        ),
+        (
+            "Two armchairs with a side table between them on the left and a plant on the right.",
+            {("in", "armchair", "side"), ("in", "plant", "side"), ("amid", "side table", "armchair")},
+            {("left", "side table", "armchair")},
+        ),
+        (
+            "A studio of 5 by 6 m with a sleeping area behind a bookcase, a kitchenette along the left wall and a sofa.",
+            {("behind", "bed", "bookcase"), ("wall", "kitchenette", "wall")},
+            {("behind", "kitchenette", "bookcase")},
+        ),
+        (
+            "A robot vacuum should get under the bed in this studio of 5 by 6 m with a sofa and a bed.",
+            set(),
+            {("with", "sofa", "bed")},
+        ),
+        ("A bookcase anchored to the wall.", {("on", "bookcase", "wall")}, set()),
+    ],
+)
+def test_what_a_side_is_of(text: str, meant: set[tuple[str, ...]], not_meant: set[tuple[str, ...]]) -> None:
+    found = links(text)
+    assert meant <= found and not not_meant & found
+
+
+def test_a_thing_on_the_table_before_each_chair_is_there_for_each_and_the_table_once() -> None:
+    rows = said("A dining room with a table, six chairs and a plate on the table in front of each chair.")
+    assert [how for _, how in rows if "plate-5" in how or how.endswith("...")]
+    assert not [how for _, how in rows if "dining_table-1" in how]
+
+
+@pytest.mark.parametrize(
+    ("text", "starts"),
+    [
+        ("A warehouse with six pallet racks in three double rows and 2.5 m aisles.", "in_rows("),
+        ("A laboratory with four workbenches in a square and 1.2 m of free floor around the benches.", "in_rows("),
+        ("A bedroom with a bed with space on both sides.", "keep_clear(bed-0, left"),
+        ("A dorm with two single beds along the side walls.", "against_wall(single_bed-0, walls[1]), against_wall(single_bed-1, walls[3])"),
+        ("A study with a desk, a chair behind it and an armchair facing the desk.", "behind(armchair-0, desk-0"),
+        ("A kitchen with a microwave above the stove.", "above(microwave-0, stove-0)"),
+        ("A clinic with an exam table so the doctor can walk around it.", "keep_clear(examination_table-0"),
+        ("A ward with two beds and a small table on wheels over the bed.", "near(overbed_table-0"),
+    ],
+)  # fmt: skip
+def test_phrases_that_people_use(text: str, starts: str) -> None:
+    rows = said(text)
+    assert [how for _, how in rows if how.startswith(starts)], rows
+    assert not [words for words, how in rows if "no word" in how]
+
+
+def test_double_rows_stand_back_to_back_and_benches_with_floor_around_apart() -> None:
+    (double, *_) = (how for _, how in said("A warehouse with six pallet racks in three double rows and 2.5 m aisles."))
+    assert double.endswith("aisle=2.5, paired, 6)")
+    text = "A laboratory with four workbenches in a square and 1.2 m of free floor around the benches."
+    (square,) = (how for _, how in said(text) if how.startswith("in_rows"))
+    assert square.endswith("aisle=1.2, gap=1.2, 2)")
+
+
+def test_a_galley_kitchen_says_its_counters_once() -> None:
+    told = scene_from_sentence("A galley kitchen with counters along both long walls.")[0]
+    bare = scene_from_sentence("A galley kitchen with a fridge.")[0]
+    for scene in (told, bare):
+        assert sum(asset.category == "kitchen counter" for asset in scene.assets) == 2
+
+
+def test_what_is_kept_out_is_not_there() -> None:
+    scene, _ = scene_from_sentence("A living room with a sofa and an armchair. Keep the TV out of it.")
+    assert not [one.name for one in scene.assets if one.category in ("television", "tv stand")]
+
+
+def test_a_robot_that_patrols_an_office_is_its_body() -> None:
+    reading = read_text("A quadruped robot patrols this office with six desks along the walls.", LEXICON)
+    assert reading.agent == "spot"
+
+
+def test_benches_are_as_long_as_those_who_sit_there_and_take_the_place_of_chairs() -> None:
+    scene, _ = scene_from_sentence("A dining room with a table for ten with benches on both sides.")
+    kinds = [asset.category for asset in scene.assets]
+    assert "chair" not in kinds and kinds.count("bench") == 2
+    assert all(asset.size[1] >= 3.0 for asset in scene.assets if asset.category == "bench")
+
+
+def test_what_is_said_of_a_table_later_is_its_shape_and_what_hangs_over_a_minibar_needs_no_stand() -> None:
+    scene, _ = scene_from_sentence("A living room with a sofa and a coffee table. The coffee table is round.")
+    table = scene.by_name["coffee_table-0"]
+    assert table.size[0] == pytest.approx(table.size[1], abs=0.01)
+    scene, _ = scene_from_sentence("A hotel room with a bed facing the TV and a minibar under the TV.")
+    assert "tv stand" not in [asset.category for asset in scene.assets]
+    hood = "range hood"
+    cooks = (scene_from_sentence(f"A kitchen with a {what}.")[0] for what in ("microwave above the stove", "stove"))
+    assert [hood in [asset.category for asset in kitchen.assets] for kitchen in cooks] == [False, True]
