@@ -49,7 +49,7 @@ def joints_of(category: Category) -> tuple[JointRule, ...]:
     alike = CATALOGUE.get(category.parts) or CATALOGUE.get(category.like)
     if not category.joints and alike is not None:
         return joints_of(alike)
-    return read_joints(category.joints, f"{category.name!r} in group {category.group!r}")
+    return read_joints(category.joints)
 
 
 def builder_for(category: Category) -> PartDrawing:
