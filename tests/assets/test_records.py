@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from robolayout._errors import AssetError
-from robolayout.assets import CATALOGUE, Category, Part, read_categories
+from robolayout.assets import CATALOGUE, Category, Part
 from robolayout.assets.meshes import builder_for, fit
 from robolayout.assets.palette import GROUPS, MATERIALS, make_piece, material_of
 from robolayout.assets.rows import check_rows, read_rows
@@ -169,13 +169,6 @@ def test_no_part_lies_outside_its_box() -> None:
         str(error.value)
         == "parts of 'x', part 'arm': y reaches 1.00 m beyond the thing's 2 m; keep it between 0 and 1."
     )
-
-
-def test_a_record_says_only_what_is_read(tmp_path: Path) -> None:
-    path = tmp_path / "music.toml"
-    path.write_text('[harp]\nsize = [1, 1, 1]\nplace = ["floor"]\nuse_sides = ["front"]\nwait = 3\n')
-    with pytest.raises(AssetError, match=r"category 'harp' in group 'music': wait = 3 is not understood; besides size"):
-        read_categories(path)
 
 
 def test_every_material_has_its_own_look() -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from robolayout._lazy import loader
-from robolayout.assets.category import CATALOGUE, Category, read_categories
+from robolayout.assets.category import CATALOGUE, Category
 from robolayout.assets.lexicon import category_of, find_category, place_of, unknown_kinds
 
 if TYPE_CHECKING:
@@ -22,6 +22,6 @@ if TYPE_CHECKING:
 __all__ = [
     "CATALOGUE", "Category", "Joint", "Material", "Part", "Prism", "RoomStyle", "Surface", "Sweep", "category_of",
     "check_meshes", "find_category", "import_folder", "load_mesh_parts", "own_assets", "own_kinds", "parts", "place_of", "prisms_of",
-    "read_categories", "resting_place", "room_parts", "room_style", "surfaces_of", "sweeps_of", "turned", "unknown_kinds",
+    "resting_place", "room_parts", "room_style", "surfaces_of", "sweeps_of", "turned", "unknown_kinds",
 ]  # fmt: skip
 __getattr__ = loader(__name__, __file__)  # loads the names that need array libraries when they are first used

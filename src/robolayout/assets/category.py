@@ -10,19 +10,11 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import Any
 
-from robolayout._errors import AssetError
-
 DATA = Path(__file__).parent / "data"
 ESTIMATE = "typical of common goods (estimate)"
 PLACES = ("floor", "wall", "ceiling", "object")
 SIDES = ("front", "back", "left", "right")
 HEADS = ("group", "role")  # tables of a data file that are no records: what the planner calls its group, and roles
-NEEDED = ("size", "place", "use_sides", "synonyms")
-FURTHER: Mapping[str, tuple[type, ...]] = {
-    "open_depth": (float, int), "movable": (bool,), "mass": (float, int), "friction": (float, int), "role": (str,),
-    "source": (str,), "parts": (str,), "joints": (str,), "hangs": (float,),
-}  # fmt: skip
-"""What else a record may say, and the kinds of value."""
 
 
 @dataclass(frozen=True)
@@ -62,56 +54,29 @@ class Category:
         return self.role == "window dressing"
 
 
-def read_categories(path: Path) -> tuple[Category, ...]:
-    """Read the records of one data file; its stem is the functional group."""
-    return _categories(_data(path), path.stem)
-
-
-def _data(path: Path) -> Mapping[str, Any]:
-    """Read one file: its group, roles and records."""
-    try:
-        return tomllib.loads(path.read_text(encoding="utf-8"))
-    except (OSError, UnicodeDecodeError, tomllib.TOMLDecodeError) as error:
-        raise AssetError(f"catalogue {path.name} cannot be read: {error}.") from error
-
-
 @cache
 def read_data(name: str) -> Mapping[str, Any]:
     """Read one of the package's own data files."""
-    return _data(DATA / name)
+    return tomllib.loads((DATA / name).read_text(encoding="utf-8"))
 
 
-def _categories(data: Mapping[str, Any], group: str) -> tuple[Category, ...]:
-    return tuple(_category(name, entry, group) for name, entry in data.items() if name not in HEADS)
+def _category(name: str, entry: Mapping[str, Any], group: str) -> Category:
+    """Build one category from its record."""
+    said = {key: value for key, value in entry.items() if key != "place"}
+    said |= {f"on_{kind}": kind in entry["place"] for kind in PLACES}
+    said["size"] = tuple(float(edge) for edge in entry["size"])
+    said["use_sides"], said["synonyms"] = tuple(entry["use_sides"]), tuple(entry.get("synonyms", ()))
+    return Category(name, group=group, **said)
 
 
-def _category(name: str, entry: Any, group: str) -> Category:
-    """Build one category from its record, naming what is wrong with it."""
-    where = f"category {name!r} in group {group!r}"
-    try:
-        depth, width, height = (float(value) for value in entry["size"])
-        place, sides = tuple(entry["place"]), tuple(entry["use_sides"])
-        synonyms = tuple(str(word) for word in entry.get("synonyms", ()))
-    except (KeyError, TypeError, ValueError, AttributeError) as error:
-        raise AssetError(
-            f"{where} is incomplete: it needs size = [depth, width, height], place and use_sides ({error!r})."
-        ) from error
-    if min(depth, width, height) <= 0 or not set(place) <= set(PLACES) or not set(sides) <= set(SIDES):
-        raise AssetError(
-            f"{where}: sizes must be positive, place some of {', '.join(PLACES)}, use_sides some of {', '.join(SIDES)}."
-        )
-    rest = {key: value for key, value in entry.items() if key not in NEEDED}
-    for key, value in rest.items():
-        if type(value) not in FURTHER.get(key, ()):
-            raise AssetError(f"{where}: {key} = {value!r} is not understood; besides {', '.join(NEEDED)} it may say "
-                             f"{', '.join(FURTHER)}.")  # fmt: skip
-    flags = {f"on_{kind}": kind in place for kind in PLACES}
-    return Category(name, synonyms, (depth, width, height), use_sides=sides, group=group, **flags, **rest)
-
-
-BUILT_IN = {path.stem: _data(path) for path in sorted((DATA / "things").glob("*.toml"))}
+BUILT_IN = {path.stem: read_data(f"things/{path.name}") for path in sorted((DATA / "things").glob("*.toml"))}
 """What the built-in data files say, by their stems: groups, roles and records."""
 CATALOGUE: Mapping[str, Category] = MappingProxyType(
-    {kind.name: kind for group, data in BUILT_IN.items() for kind in _categories(data, group)}
+    {
+        name: _category(name, entry, group)
+        for group, data in BUILT_IN.items()
+        for name, entry in data.items()
+        if name not in HEADS
+    }
 )
 """All built-in categories by name, in the order of the files and their records."""
