@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import threading
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import replace
 from typing import Any
@@ -14,9 +14,10 @@ import pytest
 from solve_rooms import BED, LAMP, QUICK, STANDS, TABLE, room_of
 
 from robolayout.program import Program, read_program, reconcile
-from robolayout.run.flow import make_judge, solve, solve_many
+from robolayout.run.flow import Run, make_judge, solve
+from robolayout.run.result import Clock
 from robolayout.scene import Layout, Pose, Scene
-from robolayout.solve import SolverConfig, Verdict, compile_problem, programs, solve_samples
+from robolayout.solve import Solution, SolverConfig, Verdict, compile_problem, programs, silent, solve_samples
 
 ROOM = room_of(BED, *STANDS, LAMP, TABLE)
 GOOD = """
@@ -36,6 +37,18 @@ THOROUGH = replace(QUICK, starts=16)
 
 def read(scene: Scene, *texts: str) -> list[Program]:
     return [reconcile(read_program(text, scene), scene).program for text in texts]
+
+
+def solve_many(
+    scene: Scene,
+    asked: Sequence[Program],
+    *,
+    config: SolverConfig,
+    seed: int = 0,
+    pinned: Mapping[str, Pose] | None = None,
+) -> list[Solution]:
+    run = Run(scene, seed, "default", config, Clock(), silent)
+    return [attempt.solution for attempt in run.finished(asked, scene, pinned or {})]
 
 
 @contextmanager

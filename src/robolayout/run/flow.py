@@ -293,20 +293,19 @@ class Run:
         ways: bool = True,
     ) -> list[Attempt]:
         """Filter and solve programs for a scene, together; the poses given stay."""
+        seed = self.seed if seed is None else seed
+        given: dict[str, Any] = {"seed": seed, "config": self.config, "progress": self.say}
+        known: dict[str, Any] = {"pinned": placed, "built": built}
         with self.clock.station("program"):
             reconciled = [self.filtered(program, here) for program in asked]
+            programs = [found.program for found in reconciled]
         with self.clock.station("solve"):
-            solutions = solve_many(
-                here,
-                [found.program for found in reconciled],
-                seed=self.seed if seed is None else seed,
-                solver=self.solver,
-                config=self.config,
-                pinned=placed,
-                progress=self.say,
-                built=built,
-                ways=ways,
-            )
+            if self.solver != "default" or len(programs) == 1:
+                given |= {"solver": self.solver, "ways": ways, **known}
+                solutions = [solve(here, program, **given) for program in programs]
+            else:  # most of the effort goes into the best of them
+                problems = [compile_problem(here, program, seed=seed, **known) for program in programs]
+                solutions = solve_samples(problems, [make_judge(here, program) for program in programs], **given)
         return [Attempt(*parts) for parts in zip(asked, reconciled, solutions, strict=True)]
 
 
@@ -337,28 +336,6 @@ def solve(  # noqa: PLR0913 - as `generate`
     if not ways or solver != "default":
         return best
     return bettered(scene, program, best, seed=seed, config=config, pinned=pinned, progress=progress)
-
-
-def solve_many(
-    scene: Scene,
-    programs: Sequence[Program],
-    *,
-    seed: int = 0,
-    solver: str = "default",
-    config: SolverConfig | None = None,
-    progress: Progress | None = None,
-    ways: bool = True,
-    **known: Any,
-) -> list[Solution]:
-    """Solve several programs for one scene, filtered; the default solver spends most of its effort on the best.
-
-    The arguments are those of `solve`; `known` are its `pinned` and `built`.
-    """
-    given: dict[str, Any] = {"seed": seed, "config": config, "progress": progress}
-    if solver != "default" or len(programs) == 1:
-        return [solve(scene, program, solver=solver, ways=ways, **given, **known) for program in programs]
-    problems = [compile_problem(scene, program, seed=seed, **known) for program in programs]
-    return solve_samples(problems, [make_judge(scene, program) for program in programs], **given)
 
 
 def compare(scene: Scene, agents: AgentSpec | Iterable[AgentSpec], **options: Any) -> tuple[Result, ...]:
