@@ -283,7 +283,7 @@ class References(Spoken):
         hung = hung and (hanging or not place_in(objects[:1], "wall"))  # "a shelf with books on the wall"
         sat = sat and (chunk.value != "opposite" or self.group[-1].thing.head not in small.LOUNGE)
         others = [m for m in apart if m.thing.count > 1]
-        seated = sat and chunk.value in (*small.STANDING, "amid")
+        seated = sat and chunk.value in (*small.STANDING, "amid", "aligned", "square")
         if seated and others and self._ahead(-1).kind == "pron" and self.holder[0].thing.count == 1:
             objects = list[Item](others)  # "two shelves and a table with four chairs in front of them"
         to_it = named(self.holder) & named(objects)
