@@ -240,7 +240,7 @@ class RoomWishes:
         if name in self.meshes:
             size = sized(kind, (), thing.sizes)
         else:
-            said = (*thing.adjectives, *thing.told, *told)
+            said = (*thing.of_all, *told)
             size = self._large_enough(thing, sized(kind, said, thing.sizes, thing.noun.said))
         if not all(0.0 < side <= LONGEST for side in size):
             shape = f"{' x '.join(f'{side:g}' for side in size)} m"

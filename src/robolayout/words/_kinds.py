@@ -54,7 +54,7 @@ def _settle_table(thing: NamedThing, heads: Set[str], *, alone: bool) -> None:
     if seated and noun.kind == "round table" and {"small", "little"} & {*thing.adjectives}:
         _take(thing, "side table")  # "two armchairs and a small round table"
     rounded = f"round {'table' if noun.kind in (*small.TABLES, 'conference table') else noun.kind}"
-    if small.ROUND & {*thing.adjectives, *thing.told} and rounded in CATALOGUE:
+    if small.ROUND & {*thing.of_all} and rounded in CATALOGUE:
         _take(thing, rounded)
 
 

@@ -71,6 +71,11 @@ class NamedThing:
         return tuple(word for word in (*self.adjectives, *self.told) if word in LOOKS)
 
     @property
+    def of_all(self) -> tuple[str, ...]:
+        """What is said of all of it: before its noun, or later if it is one ("the coffee table should be round")."""
+        return (*self.adjectives, *(self.told if self.count == 1 else ()))
+
+    @property
     def count(self) -> int:
         """How many are asked for: as said, else two for a plural, so many for each row that is told, else one; so many times over."""
         row = SEATED if self.rows > LONG and self.head in ("chair", "seat") else LONG
