@@ -327,8 +327,8 @@ def _people(wishes: RoomWishes, wished: dict[str, int]) -> int:
 
 def _on_benches(wishes: RoomWishes) -> int:
     """Return how many sit on benches that are long for it: "a table for ten with benches on both sides"."""
-    long = (thing for thing, kind in wishes.asked.items() if kind.name == "bench" and thing.sizes)
-    return sum(thing.count * int(thing.sizes[-1].values[0] / ABREAST + 0.1) for thing in long)
+    long = ((thing, kind.size[1]) for thing, kind in wishes.asked.items() if kind.name == "bench" and thing.sizes)
+    return sum(thing.count * int(wide / ABREAST + 0.1) for thing, wide in long)
 
 
 def _at_a_counter(wished: Mapping[str, int]) -> bool:
