@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Container, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 
 from robolayout.constraints import Outcome, Relation
@@ -28,6 +28,7 @@ def make_judge(scene: Scene, program: Program) -> Judge:
     """Return the exact verifier as an order on (partial) layouts: what is not placed yet is not counted."""
     statements = [_Asked(s.relation, frozenset(s.relation.asset_names())) for s in program.statements]
     bodies = [agent for agent in scene.agents if not kept_out(scene, agent)]
+    suspects = set[str]()  # what could not be used lately: looked at first
 
     def judge(layout: Layout, enough: Enough = never, /) -> Verdict:
         placed = set(layout)
@@ -45,8 +46,9 @@ def make_judge(scene: Scene, program: Program) -> Judge:
             if enough(replace(found, access=access, soft=soft)):
                 break
             report, fixable = judge_agent(scene, layout, agent), list[str]()
-            for usable in _used(report):
+            for usable in _used(report, suspects):
                 fixable = _fixable(report, usable, layout)
+                suspects.update(fixable)
                 if enough(replace(found, access=access + _missing(report, fixable), soft=soft)):
                     break
             else:
@@ -88,15 +90,15 @@ class _Asked:
         return self._outcome
 
 
-def _used(found: AgentReport) -> Iterator[Mapping[str, bool]]:
-    """Yield what a body uses: all, less what it has no place to use, then what it does not get to, then what it cannot open.
+def _used(found: AgentReport, suspects: Container[str]) -> Iterator[Mapping[str, bool]]:
+    """Yield what a body uses: all, less what it has no place to use, then what it does not get to, then each that it cannot open.
 
     Each is dearer to find out than the one before.
     """
     yield dict.fromkeys(found.navigation.reached, True)
     yield found.usage.standing
     yield found.usage.got_to
-    yield found.usage.usable
+    yield from found.usage.narrowed(suspects)
 
 
 def _fixable(found: AgentReport, usable: Mapping[str, bool], layout: Layout) -> list[str]:

@@ -70,7 +70,6 @@ class _Opening:
     met: NDArray[np.object_]  # where its centre is while it meets what the leaf sweeps up to the next step
     free: NDArray[np.object_]  # from where it reaches the handle, clear of the leaf before and after
     still: BaseGeometry  # from where it does all of it without a step
-    about: BaseGeometry  # a rectangle around all of this
 
 
 def find_hold(found: Boxes, agent: Agent, row: int, joint: Joint, reach: float, stands: Stands) -> Hold:
@@ -105,11 +104,21 @@ def _places(asked: tuple[Asset, Joint, float, Agent, float, float], stands: byte
 def _opening(asset: Asset, joint: Joint, z: float, agent: Agent, heading: float, reach: float) -> _Opening:
     """Return what opening asks; the same in every layout in which the thing's middle is as high."""
     met = _met(_leaf(asset, joint), agent, heading, z)
-    hands = [shapely.Point(turned(joint, np.array([joint.handle]), far)[0, :2]) for far in _steps(joint)]
-    near: Any = shapely.buffer(hands, reach, quad_segs=FINE.quad_segs)
+    near: Any = shapely.buffer(_hands(joint), reach, quad_segs=FINE.quad_segs)
     free = [ring.difference(shapely.union_all(met[max(k - 1, 0) : k + 1])) for k, ring in enumerate(near)]
-    about = shapely.box(*shapely.total_bounds(near))
-    return _Opening(met, np.array(free), areas(shapely.intersection_all(free)), about)
+    return _Opening(met, np.array(free), areas(shapely.intersection_all(free)))
+
+
+def _hands(joint: Joint) -> list[shapely.Point]:
+    """Return where the handle of a joint is at each step."""
+    return [shapely.Point(turned(joint, np.array([joint.handle]), far)[0, :2]) for far in _steps(joint)]
+
+
+@lru_cache(maxsize=2048)
+def within_reach(hands: tuple[tuple[Joint, float], ...]) -> BaseGeometry:
+    """Return a rectangle, in the frame of a thing, around all from where its handles are within so many metres while they move."""
+    near = [shapely.box(*shapely.total_bounds(_hands(joint))).buffer(reach) for joint, reach in hands]
+    return shapely.box(*shapely.total_bounds(near))
 
 
 def _steps(joint: Joint) -> list[float]:
@@ -157,7 +166,6 @@ def _met(leaf: _Leaf, agent: Agent, heading: float, z: float) -> NDArray[np.obje
 
 def _walk(region: BaseGeometry, asked: _Opening) -> list[Point]:
     """Return a place for each step, each within a stride of the one before and the way there clear; none where there is no such way."""
-    region = region & asked.about
     if not shapely.intersects(region, asked.free).all():
         return []
     free = shapely.intersection(region, asked.free)

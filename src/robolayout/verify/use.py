@@ -12,7 +12,7 @@ from __future__ import annotations
 
 import itertools
 import math
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Container, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cache, cached_property
 from typing import TYPE_CHECKING
@@ -30,7 +30,7 @@ from robolayout.verify._boxes import in_room, out_of_room, room_polygon, share, 
 from robolayout.verify._knees import frontal, is_sat_at
 from robolayout.verify._space import areas
 from robolayout.verify.heading import Drive, Headings, HeadingSpace, Region, entry, grown, rectangle
-from robolayout.verify.holds import find_hold
+from robolayout.verify.holds import find_hold, within_reach
 from robolayout.verify.limits import JUDGE
 from robolayout.verify.navigation import Navigation, height_reason, navigation
 
@@ -69,9 +69,17 @@ class Usage:
     @cached_property
     def usable(self) -> Mapping[str, bool]:
         """Verdict per asset."""
+        *_, usable = self.narrowed()
+        return usable
+
+    def narrowed(self, first: Container[str] = ()) -> Iterator[Mapping[str, bool]]:
+        """Yield the verdict each time that it cannot open another of what it gets to, and at the end; these names are looked at first."""
         usable = self._got_to.copy()
-        usable[[row for row in np.flatnonzero(usable).tolist() if self._shut(row)]] = False
-        return self._found.by_name(usable)
+        for row in sorted(np.flatnonzero(usable).tolist(), key=lambda row: self._found.names[row] not in first):
+            if self._shut(row):
+                usable[row] = False
+                yield self._found.by_name(usable)
+        yield self._found.by_name(usable)
 
     @property
     def usable_share(self) -> float:
@@ -347,17 +355,22 @@ class Usage:
         if row in self._held:
             return self._held[row]
         hands = by_hand(self._found, self.agent, row)
-        regions = itertools.tee(self._before(row), len(hands))
+        hands = tuple((joint, reach + ROUNDING) for joint, reach in hands)
+        regions = itertools.tee(self._before(row, within_reach(hands)), len(hands))
         self._held[row] = tuple(
-            find_hold(self._found, self.agent, row, joint, reach + ROUNDING, stands)
+            find_hold(self._found, self.agent, row, joint, reach, stands)
             for (joint, reach), stands in zip(hands, regions, strict=True)
         )
         return self._held[row]
 
-    def _before(self, row: int) -> Iterator[tuple[float, BaseGeometry, tuple[str, ...]]]:
-        """Yield from where a body opens an asset, in its frame: headings, places before its front, and what is moved for them."""
+    def _before(self, row: int, near: BaseGeometry) -> Iterator[tuple[float, BaseGeometry, tuple[str, ...]]]:
+        """Yield from where a body opens an asset, in its frame, as far as that is `near`.
+
+        These are headings, places before its front, and what is moved for them.
+        """
         place = self._found.where(row)[1]
-        before = self._ways.beyond[next(i for i in self._ways.of(row) if self._ways.sides[i] == "front")]
+        front = next(i for i in self._ways.of(row) if self._ways.sides[i] == "front")
+        before = self._ways.beyond[front].intersection(in_room(near, place))
         chairs = tuple(self._found.names[i] for i in sorted(self._chairs(row)))
         for moved in (False, True):
             for heading, region in self._opened(row) if moved else self._everywhere:
