@@ -74,7 +74,7 @@ def generate(  # noqa: PLR0913 - the public page of everything that can be chose
         planner: Who writes the program; the offline planner if None.
         agent: The body or bodies to lay out for; the scene's own if None.
         seed: Settles every choice: same input and seed, same layout.
-        attempts: Most programs that are asked for, while demands stay unmet; the best verified one is kept.
+        attempts: Most programs that are asked for, while demands stay unmet and the offline planner's get better; the best is kept.
         solver: Name of a solver: "default", "paper", "paper-unrefined", "trust-constr" or "dual-annealing".
         config: Constants of the default solver.
         progress: Called with the name of each phase.
@@ -169,6 +169,8 @@ class Run:
             rank = (found.solution.verdict.merit, not report.ok)
             if best is None or rank < least:
                 best, least, seed = found, rank, tried.seed
+            elif isinstance(planner, OfflinePlanner):
+                break  # the search no longer gains; who hears what was wrong may do better the next time
             verdict = found.solution.verdict
             served = report.ok and not verdict.barred  # the judge asks for more free floor than the report demands
             if served or (verdict.ok and (any(one.impossible for one in report.agents) or found.denied(report))):
