@@ -93,7 +93,8 @@ class Writer:
         values = self._values(item) | self._about(item)
         yield from self._fill(join.say, values, weight)
         yield from self._fill(DATA["at"].get(join.slot, {}).get(join.at, ()), values, 1.0)
-        peers = self._peers(item)
+        # a chair that is told to be at an end is none of those around
+        peers = [name for name in self._peers(item) if self.cast[name].join.slot == join.slot]
         if peers[-1] == item.name:
             yield from self._fill(join.all, values | {"items": self._list(peers)}, weight)
             for first, second in zip(peers[::2], peers[1::2], strict=False):

@@ -93,6 +93,13 @@ class AtSides(AtPlaces):
         under = stated("under", AssetRef(a), (AssetRef(b),))
         return Demand(((under,) if places_beneath(self._asset(b), self._asset(a)) else (under, near),))
 
+    def _across_a_top(self, b: str, items: Sequence[str], sided: str) -> Iterator[Way]:
+        """Yield how two who sit at a table or desk look at each other over it: who has a manicure, and who gives it."""
+        sat_at = sided and self._is(b, ("table", "desk")) and not self._is(b, tuple(small.LOW_TABLES))
+        if len(items) == 2 and sat_at and all(self._is(a, small.SEATS) for a in items):
+            for one, other in self._sides_of(b, sided):
+                yield (*self._at_side(one, items[:1], b), *self._at_side(other, items[1:], b))
+
     def _turning(self, it: Asked) -> Iterator[Demand]:
         """A free disc on which the body turns: before one of the larger things, or all around the middle of the room."""
         wide, near = it.metres[0], tuple(self._points(it.place))

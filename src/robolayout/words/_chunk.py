@@ -60,7 +60,8 @@ class Chunk:
         """At which sides of a table seats are: "four chairs on each long side", "one at each end", "a bench on one long side"."""
         words = {*self.adjectives}
         each = not words.isdisjoint(("each", "either", "both", "opposite", "opposing", "sides", "ends"))
-        if not (self.value == "oneside" or (self.value == "around" and each)) or "all" in words:
+        both = self.value == "around" or (self.value == "flank" and not {"left", "right"} & words)
+        if not (self.value == "oneside" or (both and each)) or "all" in words:
             return ""
         return "end" if {"end", "ends", "short", "head"} & words else "long" if "long" in words else "each" * each
 

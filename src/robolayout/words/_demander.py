@@ -141,7 +141,7 @@ class Demander(AtSides):
         if self.told.in_rows(it.subjects):
             yield self.told.block(it.subjects)
             return
-        if relation == "backs" and len(it.subjects) > 3 and alike(self.scene, it.subjects):
+        if relation == "backs" and len(it.subjects) % 2 == 0 and alike(self.scene, it.subjects):
             yield in_rows(it.subjects, 2, "paired")  # pairs one before the other would have no room before them
             return
         desks = relation == "mutual" and self._is(it.subjects[0], ("desk",))  # who sits there looks over its back
@@ -222,7 +222,8 @@ class Demander(AtSides):
                 yield Demand(amid)
                 continue
             sided = ([*zip(items, way, strict=True)] for way in ways)
-            yield Demand(tuple(tuple(stated("next_to", AssetRef(a), AssetRef(b), s, gap) for a, s in w) for w in sided))
+            beside = (tuple(stated("next_to", AssetRef(a), AssetRef(b), s, gap) for a, s in way) for way in sided)
+            yield Demand((*self._across_a_top(b, items, it.sided), *beside))
 
     def _behind(self, it: Asked) -> Iterator[Demand]:
         """Behind a thing; behind a desk at which somebody looks somewhere is behind who sits there, where it is used from."""
@@ -424,8 +425,10 @@ class Demander(AtSides):
         for a in it.subjects if len(ends) > 1 and not (wide and self._only_wall(it.subjects[0])) else ():
             across = ends[wide // 2 :: wide] if wide and len(ends) > 2 else ends  # between two rows
             lines = not wide and len(it.groups) == 2 and len(ends) > 2  # "between the sinks and the shower"
-            if lines:
-                across = [AssetRef(group[len(group) // 2]) for group in it.groups]
+            # "two groups of four desks with a plant between them"
+            groups = self.told.groups(it.others) if it.others and it.others[0] in self.told.each else ()
+            if lines or len(groups) == 2:
+                across = [AssetRef(group[len(group) // 2]) for group in (groups or it.groups)]
             pairs = [(across[0], across[1])] if len(across) == 2 else neighbours(ends, len(it.subjects))
             one, two = pairs[it.subjects.index(a) % len(pairs)]
             far = lines and all(len(group) > 2 for group in it.groups)  # rows along walls

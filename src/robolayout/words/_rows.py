@@ -71,6 +71,7 @@ class ToldRows:
             name
             for link, about, to in links
             if link.relation in ("amid", "flank") or (link.relation in small.AT_SIDES and len(about) > 1)
+            if not all(scene.by_name[one].is_flat for one in about)  # a rug lies before them as well
             for name in to
         }
         # over the backs of desks look those who sit at them

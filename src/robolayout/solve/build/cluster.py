@@ -174,11 +174,14 @@ class ClusterBuilder:
         return min(item.joined.gap, left_gap(self.scene, [AssetRef(item.name)], AssetRef(anchor.name), at))
 
     def _around(self, anchor: Want, items: Sequence[Want], placed: Sequence[Member]) -> list[Member]:
-        """At the slots of the relation `around`."""
-        seats = tuple(AssetRef(item.name) for item in items)
-        slots = Around(seats, AssetRef(anchor.name)).slots(self.scene)
+        """At the slots of the relation `around`; seats that are told to be at one side take the ones there."""
+        told = [side for one in self.followers[anchor.name] if (side := _told_side(one))]
+        seats = tuple(AssetRef(item.name) for item in (*items, *[items[0]] * len(told)))
+        slots = [(slot, _side_of(slot[2])) for slot in Around(seats, AssetRef(anchor.name)).slots(self.scene)]
+        for side in told:
+            slots.remove(([slot for slot in slots if slot[1] == side] or slots)[-1])
         there = zip(items, slots, strict=True)
-        return [Member(item.name, x, y, yaw, side=_side_of(yaw)) for item, (x, y, yaw) in there]
+        return [Member(item.name, x, y, yaw, side=side) for item, ((x, y, yaw), side) in there]
 
     def _under(self, anchor: Want, items: Sequence[Want], placed: Sequence[Member]) -> list[Member]:
         """Below the anchor, beside the seats that are pushed under it."""
@@ -240,6 +243,12 @@ def _slot(items: Sequence[Want]) -> str:
 
 def _half(item: Want) -> tuple[float, float]:
     return (item.asset.size[0] / 2, item.asset.size[1] / 2)
+
+
+def _told_side(want: Want) -> str:
+    """Return the side of a table at which a seat is told to be, and an armchair at its end; none for what is around it."""
+    seat = {"front": "front", "behind": "back"}.get(want.joined.slot, "") if _seats(want) else ""
+    return want.joined.side if want.joined.slot == "flank" else seat
 
 
 def _side_of(yaw: float) -> str:
