@@ -236,7 +236,10 @@ class Spoken:
         if each and (led := [m for m in earlier if m.several]):
             return led[-1:]  # "a sofa with a table at each end and a lamp on each of them"
         if holder is not None and holder.thing not in own and one:
-            return self.holder
+            # "an armchair, at its right a table with a lamp, a bookshelf behind it"
+            whole = relation == "behind" and [m.topped for m in self.recent[-2:]] == [True, False]
+            whole = whole and [c.kind for c in self.chunks[max(self.at - 4, 0) : self.at]][:1] == ["comma"]
+            return (whole and self._kept(word, relation, own)) or self.holder
         if word in small.SEVERAL:
             held = [m for m in earlier if holder is None or many or m.thing is not holder.thing]
             return self._several_meant(relation, held if len(held) > 1 else earlier, to)

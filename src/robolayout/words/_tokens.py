@@ -48,7 +48,8 @@ _AREA = re.compile(
     re.IGNORECASE,
 )
 _HEIGHT = re.compile(
-    rf"{_N}{_U}[\s-]*(?:high|tall|in height|ceilings?)\b|(?:ceilings?(?: height)?|height)\s*(?:of|at|is|:)?\s*{_N}{_U}",
+    rf"{_N}{_U}[\s-]*(?:high|tall|in height|ceilings?)\b|(?:ceilings?(?: height)?|height)\s*(?:of|at|is|:)?\s*{_N}{_U}"
+    rf"|(?:no|not) (?:higher|taller) than {_N}{_U}",
     re.IGNORECASE,
 )
 _HOW = r"[\s-]*(?:in\s+)?(long|wide|deep|across|diameter)\b"
@@ -243,7 +244,7 @@ def _area(match: re.Match[str]) -> Said:
 
 
 def _height(match: re.Match[str]) -> Said:
-    number, unit = match.group(1, 2) if match.group(1) else match.group(3, 4)
+    number, unit = next(match.group(i, i + 1) for i in (1, 3, 5) if match.group(i))
     plain = match.group(1) and not unit  # "two high tables"
     return None if plain else ("height", (round(metres(number, unit), 2),))
 
