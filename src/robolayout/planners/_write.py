@@ -227,8 +227,8 @@ class Writer:
         """Yield where a thing hangs or lies."""
         a, values, over = self._name(item.name), self._values(item), self._under(item)
         owner = self._owners.get(item.name)
-        ringed = item.name in {rug for rug, _ in self.ringed.values()}
-        if (item.name in self.asked or ringed) and not (mode == "rug" and owner and self._lies_below(item, owner)):
+        told = item.name in {*self.asked, *self.below, *(rug for rug, _ in self.ringed.values())}
+        if told and not (mode == "rug" and owner and self._lies_below(item, owner)):
             owner = None
         if owner is not None:
             values["b"] = self._name(owner)
