@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 
+import robolayout as rl
 from robolayout.constraints import WallRef
 from robolayout.constraints.against_wall import AgainstWall
 from robolayout.constraints.mounted_on import MountedOn
@@ -726,3 +727,24 @@ def test_pupils_in_pairs_have_desks_in_pairs_and_four_corners_four_things() -> N
     assert {asset.size[2] for asset in scene.assets if asset.category == "bookshelf"} == {1.2}
     scene, _ = scene_from_sentence("A home cinema with a sofa and speakers in the four corners.")
     assert sum(asset.category == "speaker" for asset in scene.assets) == 4
+
+
+def test_the_arms_of_an_l_are_where_it_has_them() -> None:
+    text = "An L-shaped living room with the dining table in the short arm and a sofa in the longer arm of the L."
+    scene, _ = scene_from_sentence(text)
+    zones = [how for _, how in said(text) if how.startswith("zone(")]
+    assert len(zones) == 2
+    x0, y0, x1, y1 = scene.room.bounds
+    for long, room in ((False, scene.room), (True, Room(tuple((y, x) for x, y in reversed(scene.room.vertices)), 2.6))):
+        (arm,) = halves_meant(room, Place("side", ("greater" if long else "lesser", "arm")))
+        xs, ys = [point.x for point in arm], [point.y for point in arm]
+        area = (max(xs) - min(xs)) * (max(ys) - min(ys))
+        assert area == pytest.approx((x1 - x0) * (y1 - y0) / (2 if long else 4), rel=0.01)
+    assert not [*halves_meant(Room(((0, 0), (4, 0), (4, 3), (0, 3)), 2.6), Place("side", ("lesser", "arm")))]
+
+
+def test_a_mat_under_what_hangs_is_no_rug_of_the_table() -> None:
+    result = rl.generate(
+        "A playroom with wall bars, a soft mat under them and a low table with four small chairs.", dress="none"
+    )
+    assert result.report.ok, result.report.violations

@@ -18,6 +18,9 @@ def halves_meant(room: Room, place: Place) -> Iterator[tuple[PointRef, ...]]:
     ends = ("left", "right") if x1 - x0 >= y1 - y0 else ("front", "back")
     told = (ends[place.det == "other"],) if place.det in ("one", "other") or place.number == 1 else ()
     end = ("far",) if "end" in place.words else ()  # "a nurse's desk at the end"
+    if "arm" in place.words:  # of an L-shaped room
+        yield from (rectangle(*arm) for arm in _arms(room)["lesser" in place.words :][:1])
+        return
     found = [halves[word] for word in [w for w in place.words if w != "end"] or told or end if word in halves]
     if found:
         left, bottom, right, top = zip(*found, strict=True)
@@ -37,6 +40,24 @@ def _halves(room: Room) -> dict[str, tuple[float, float, float, float]]:
     x, y = (x0 + x1) / 2, (y0 + y1) / 2
     back = (x0, y, x1, y1)
     return {"left": (x0, y0, x, y1), "right": (x, y0, x1, y1), "back": back, "rear": back, "front": (x0, y0, x1, y)}
+
+
+def _arms(room: Room) -> tuple[tuple[float, float, float, float], ...]:
+    """Return the long arm of an L-shaped room and what is left of the other one; nothing for other rooms."""
+    x0, y0, x1, y1 = room.bounds
+    corners = [(x, y) for x in (x0, x1) for y in (y0, y1)]
+    missing, inner = (
+        [at for at in one if at not in other] for one, other in ((corners, room.vertices), (room.vertices, corners))
+    )
+    at = [(x, y) for x, y in inner if x0 < x < x1 and y0 < y < y1]
+    if len(missing) != 1 or len(at) != 1:
+        return ()
+    ((mx, my),), ((x, y),) = missing, at
+    left, right = sorted((x, x0 + x1 - mx))
+    low, high = sorted((y, y0 + y1 - my))
+    across, along = (x0, low, x1, high), (left, y0, right, y1)
+    rest = (left, min(y, my), right, max(y, my)), (min(x, mx), low, max(x, mx), high)
+    return (across, rest[0]) if x1 - x0 >= y1 - y0 else (along, rest[1])
 
 
 def _towards(way: tuple[float, float]) -> str:
