@@ -112,8 +112,10 @@ class Demander(AtSides):
             yield from [Demand(ways)] if (ways := tuple(self._ways_flanking(it.subjects, it.place))) else []
             return
         if relation in ("left", "right") and it.place.name in ("window", "door"):
-            found = [tuple(self._ways_beside(a, it.place, relation)) for a in it.subjects]
-            yield from (Demand(ways) for ways in found if ways)
+            wide = sum(self._asset(a).size[1] for a in it.subjects if self._asset(a).on_floor)
+            for a in it.subjects:  # "shelves to the right of the door": one beyond the other
+                more = max(0.0, wide - self._asset(a).size[1])
+                yield from [Demand(ways)] if (ways := tuple(self._ways_beside(a, it.place, relation, more))) else []
             return
         if relation in ("aligned", "square") and it.place.name in ("window", "door", "wall"):
             found = [tuple(self._ways_turned(a, it.place, relation == "square")) for a in it.subjects]

@@ -317,18 +317,21 @@ class AtPlaces:
                 sides = (self._at_a_side(a, opening, i + first) for i, a in enumerate(subjects))
                 yield tuple(said for held, at in zip(at_wall, sides, strict=True) for said in (held, *at))
 
-    def _ways_beside(self, a: str, place: Place, side: str) -> Iterator[Way]:
+    def _ways_beside(self, a: str, place: Place, side: str, more: float) -> Iterator[Way]:
         """Yield the ways in which a thing is to the left or right of a door or window, as one sees it from inside."""
         for opening in openings_meant(self.room, place):
-            yield self._at_a_side(a, opening, ("left", "right").index(side))
+            yield self._at_a_side(a, opening, ("left", "right").index(side), more)
 
-    def _at_a_side(self, a: str, opening: Opening, side: int) -> Way:
-        """Return that a thing is near a door or window, in the half of the room at its left or, for odd numbers, its right."""
+    def _at_a_side(self, a: str, opening: Opening, side: int, more: float = 0.0) -> Way:
+        """Return that a thing is near a door or window, in the half of the room at its left or, for odd numbers, its right.
+
+        It may be so many metres more from it, which others take.
+        """
         wall, far = self.room.walls[opening.wall], sum(one.length for one in self.room.walls)
         (x, y), (dx, dy), (nx, ny) = wall.point(opening.center), wall.direction, wall.normal
         middle, (u, v), to = floor_point((x, y)), (x + far * nx, y + far * ny), -far if side % 2 else far
         half = (middle, *(PointRef(p + to * dx, q + to * dy) for p, q in ((x, y), (u, v))), PointRef(u, v))
-        near = stated("near", AssetRef(a), middle, opening.width / 2 + ways_of.BESIDE)
+        near = stated("near", AssetRef(a), middle, round(opening.width / 2 + ways_of.BESIDE + more, 3))
         return (near, stated("zone", AssetRef(a), half))
 
     def _ways_amidst(self, b: str, items: Sequence[str]) -> tuple[Way, ...]:
