@@ -392,8 +392,9 @@ def stand_ins(scene: Scene, things: Sequence[NamedThing]) -> dict[NamedThing, tu
     for thing in (one for one in found if _uncounted(one) and found[one]):
         others = [other for other in things if other is not thing and other.noun.kind == thing.noun.kind]
         if others and not any(other.plural for other in others):  # "chairs, and the host's chair at the head"
-            category = scene.by_name[found[thing][0]].category
-            found[thing] += tuple(asset.name for asset in free if asset.category == category)
+            more = [asset for asset in free if asset.category == scene.by_name[found[thing][0]].category]
+            free = [asset for asset in free if asset not in more]
+            found[thing] += tuple(asset.name for asset in more)
     return found
 
 
