@@ -376,7 +376,7 @@ def _settle_seats(chairs: Sequence[NamedThing], wishes: RoomWishes) -> None:
 
 def _settle_number(thing: NamedThing, wishes: RoomWishes) -> None:
     """Settle how many there are where a plural says no number: what the people of such a room usually have, no table for a crowd."""
-    if thing.number is not None or thing.bound or thing.times > 1 or not thing.plural:
+    if not thing.uncounted or thing.bound:
         return
     name, room, people = wishes.kind(thing), wishes.room, wishes.reading.people or wishes.room.people
     if thing.people > AT_ONE:  # "tables for twenty": small ones in a cafe, large ones elsewhere

@@ -310,10 +310,11 @@ def _people(wishes: RoomWishes, wished: dict[str, int]) -> int:
         chair = _chair(wishes)
         desks = sum(count for name, count in wished.items() if head(name) == "desk")
         named = sum(wished[name] for name in adults)
-        # what is asked for stands at the desks; "a table for six, the host's chair at its head"
-        if named <= desks or named == 1:
-            others = wishes.seats - _on_benches(wishes) - (0 if named <= desks else wished.get(chair, 0))
-            wished[chair] = max(wished.get(chair, 0), desks) + max(others, 0)
+        seats = max(wishes.seats - _on_benches(wishes), 0)
+        if named <= desks:  # what is asked for stands at the desks
+            wished[chair] = max(wished.get(chair, 0), desks) + seats
+        elif named == 1:  # "a table for six, the host's chair at its head"
+            wished[chair] = max(wished.get(chair, 0), seats)
     if wishes.reading.people:
         return 0 if room.couple and wishes.reading.people == 2 and not wishes.reading.young else wishes.reading.people
     taken = {head(name) for name in room.person}

@@ -97,8 +97,8 @@ class AtSides(AtPlaces):
         """Yield how two who sit at a table or desk look at each other over it: who has a manicure, and who gives it."""
         sat_at = sided and self._is(b, ("table", "desk")) and not self._is(b, tuple(small.LOW_TABLES))
         if len(items) == 2 and sat_at and all(self._is(a, small.SEATS) for a in items):
-            for one, other in self._sides_of(b, sided):
-                yield (*self._at_side(one, items[:1], b), *self._at_side(other, items[1:], b))
+            for order in (items, items[::-1]):
+                yield from self._in_shares(b, order, sided)
 
     def _turning(self, it: Asked) -> Iterator[Demand]:
         """A free disc on which the body turns: before one of the larger things, or all around the middle of the room."""
@@ -196,15 +196,18 @@ class AtSides(AtPlaces):
         )
 
     def _sided(self, it: Asked) -> Iterator[Demand]:
-        """Half of the seats at one side of their table and half across, at the longer ones, at the ends, or either; one at each of four."""
+        """The seats of each table in equal shares at its sides."""
         for b in dict.fromkeys(b for _, b in it.twos):
-            seats, pairs = [a for a, to in it.twos if to == b], list(self._sides_of(b, it.sided))[::2]
-            deep, wide, _ = self._asset(b).size
-            all_four = wide == deep and len(seats) == len(SIDES_OF_A_LOUNGE)
-            sides = [[*pairs[0], *pairs[1]]] if all_four else [[*pair] for pair in pairs]
-            shares = [(way, -(-len(seats) // len(way))) for way in sides]
-            parts = ([(side, seats[i * many : (i + 1) * many]) for i, side in enumerate(way)] for way, many in shares)
-            yield Demand(tuple(tuple(r for side, part in way for r in self._at_side(side, part, b)) for way in parts))
+            yield Demand(tuple(self._in_shares(b, [a for a, to in it.twos if to == b], it.sided)))
+
+    def _in_shares(self, b: str, seats: Sequence[str], sided: str) -> Iterator[Way]:
+        """Yield half of the seats at one side of a table and half across, at the longer ones, the ends or either; one at each of four."""
+        pairs, (deep, wide, _) = list(self._sides_of(b, sided))[::2], self._asset(b).size
+        all_four = wide == deep and len(seats) == len(SIDES_OF_A_LOUNGE)
+        for way in [[*pairs[0], *pairs[1]]] if all_four else pairs:
+            many = -(-len(seats) // len(way))
+            parts = ((side, seats[i * many : (i + 1) * many]) for i, side in enumerate(way))
+            yield tuple(said for side, part in parts for said in self._at_side(side, part, b))
 
     def _sides_of(self, b: str, sided: str = "") -> Iterator[tuple[str, str]]:
         """Yield each side of a thing with the one across, the longer ones first; only these, or the ends, if that is said."""

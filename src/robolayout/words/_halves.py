@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from robolayout.constraints import PointRef
+from robolayout.constraints.corner import convex_corners
 from robolayout.scene import Room, Wall
 from robolayout.words._said import Place
 
@@ -46,13 +47,12 @@ def _arms(room: Room) -> tuple[tuple[float, float, float, float], ...]:
     """Return the long arm of an L-shaped room and what is left of the other one; nothing for other rooms."""
     x0, y0, x1, y1 = room.bounds
     corners = [(x, y) for x in (x0, x1) for y in (y0, y1)]
-    missing, inner = (
-        [at for at in one if at not in other] for one, other in ((corners, room.vertices), (room.vertices, corners))
-    )
-    at = [(x, y) for x, y in inner if x0 < x < x1 and y0 < y < y1]
-    if len(missing) != 1 or len(at) != 1:
+    convex = convex_corners(room)
+    missing = [at for at in corners if at not in room.vertices]
+    inner = [at for i, at in enumerate(room.vertices) if i not in convex]
+    if len(missing) != 1 or len(inner) != 1:
         return ()
-    ((mx, my),), ((x, y),) = missing, at
+    ((mx, my),), ((x, y),) = missing, inner
     left, right = sorted((x, x0 + x1 - mx))
     low, high = sorted((y, y0 + y1 - my))
     across, along = (x0, low, x1, high), (left, y0, right, y1)

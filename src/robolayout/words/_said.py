@@ -90,9 +90,14 @@ class NamedThing:
         return self.head in ("table", "island") and not self.noun.kind.endswith(tuple(small.LOW_TABLES))
 
     @property
+    def uncounted(self) -> bool:
+        """Whether there are several and nothing says how many."""
+        return self.plural and self.number is None and self.times == 1
+
+    @property
     def parts_uncounted(self) -> bool:
         """Whether it is what parts one place from the next, and no number of it is said."""
-        return self.plural and self.number is None and self.times == 1 and self.noun.kind in PARTITIONS
+        return self.uncounted and self.noun.kind in PARTITIONS
 
     @property
     def sides(self) -> int:

@@ -386,20 +386,16 @@ def stand_ins(scene: Scene, things: Sequence[NamedThing]) -> dict[NamedThing, tu
                 if short <= max(alike.values(), default=0):
                     continue  # the chairs of the desks are meant, and not the few of a table
             others = any(other.noun.kind == thing.noun.kind for other in things if other is not thing)
-            taken = fits if _uncounted(thing) and not others else fits[:short]
+            taken = fits if thing.uncounted and not others else fits[:short]
             free = [asset for asset in free if asset not in taken]
             found[thing] = (*have, *(asset.name for asset in taken))
-    for thing in (one for one in found if _uncounted(one) and found[one]):
+    for thing in (one for one in found if one.uncounted and found[one]):
         others = [other for other in things if other is not thing and other.noun.kind == thing.noun.kind]
         if others and not any(other.plural for other in others):  # "chairs, and the host's chair at the head"
             more = [asset for asset in free if asset.category == scene.by_name[found[thing][0]].category]
             free = [asset for asset in free if asset not in more]
             found[thing] += tuple(asset.name for asset in more)
     return found
-
-
-def _uncounted(thing: NamedThing) -> bool:
-    return thing.plural and thing.number is None and thing.times == 1
 
 
 def _is_box(asset: Asset) -> bool:

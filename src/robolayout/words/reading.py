@@ -249,7 +249,7 @@ def _two_at_each(links: Sequence[Link]) -> None:
     for link in links:
         several = [table.count for table in mentions(link.objects) if table.several and link.relation == "with"]
         for thing in (one.thing for one in link.subjects if several and one.thing.head == "stool"):
-            if thing.plural and thing.number is None and thing.times == 1:
+            if thing.uncounted:
                 thing.number = 2 * several[0]
 
 
@@ -268,7 +268,7 @@ def _long_benches(links: Sequence[Link]) -> None:
 def _shaped(links: Sequence[Link], number: int) -> int:
     """Settle how many tables of which no number is said stand in a shape, one for every two people; return for how many the room is."""
     for thing in (one.thing for link in links if link.relation in small.SHAPES for one in link.subjects):
-        if thing.plural and thing.number is None and thing.times == 1 and thing.head in ("table", "desk"):
+        if thing.uncounted and thing.head in ("table", "desk"):
             number, thing.people = number or bounded(thing.people, "people"), 0
             thing.number = max(LEAST_SHAPED, math.ceil(number / 2))
     return number
