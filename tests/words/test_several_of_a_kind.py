@@ -313,8 +313,15 @@ def test_the_opposite_corner_is_across_the_room() -> None:
         ("north", "west"),
         ("south", "east"),
     ]
-    unknown = read("a plant in a corner and a lamp in the opposite corner")
+    unknown = read("a plant by the window and a lamp in the opposite corner")
     assert [unknown.span(c.start, c.end) for c in unknown.parsed.missed] == ["the opposite corner"]
+
+
+def test_a_corner_opposite_one_that_is_not_told_is_that_across_from_what_is_there() -> None:
+    scene, _ = scene_from_sentence("a room with a plant in one corner and a lamp in the opposite corner")
+    (row,) = [row for row in read_words(scene).rows if "opposite" in row.words]
+    corners = [[relation.vertex for relation in way] for way in row.demands[0].ways]
+    assert corners == [[0, 2], [1, 3], [2, 0], [3, 1]]
 
 
 def test_what_is_in_the_middle_of_each_table_is_asked_there() -> None:

@@ -209,7 +209,7 @@ class Added:
 
     def _go_along(self, name: str, count: int) -> None:
         """Add what a wished thing is of no use without; benches and stools are seats of tables, too."""
-        others = {other for other in self.wished if self._of_another(other, name)}
+        others = {other for other in self.wished if self._of_another(other, name)} | {"high chair"}
         there = {self.wishes.head(other) for other in self.wished.keys() - others if not visits(other)}
         there |= self.wishes.general - {self.wishes.head(other) for other in others}
         there |= {"chair"} if head(name) == "table" and SEATS & {*self.wished} else set()

@@ -112,7 +112,7 @@ def join_as_asked(cast: Mapping[str, Cast], demands: Sequence[Demand], passage: 
         if not stays or any(relation.name == "mounted_on" for relation in said(about)):
             found[name] = found[name].alone
     seated = [wanted[name] for name in wanted if cast[name].role.name.endswith("seat")]
-    laid = {anchor for anchor, join in seated if join.slot == "around"}
+    laid = {(anchor, join.slot) for anchor, join in seated if join.slot in ("around", "front")}
     crowd = audience(cast, demands)
     single = {
         name: to for name, to in looked_at(demands).items() if name not in wanted and name not in placed.union(crowd)
@@ -131,8 +131,8 @@ def join_as_asked(cast: Mapping[str, Cast], demands: Sequence[Demand], passage: 
         if name not in chain(anchor, found):
             found[name] = replace(found[name], anchor=anchor, join=join)
     for name in [name for name in found if name not in wanted]:
-        if found[name].join.slot == "around" and found[name].anchor in laid:
-            found[name] = elsewhere(name, found, laid)  # that table has its own seats
+        if (found[name].anchor, found[name].join.slot) in laid and found[name].role.name.endswith("seat"):
+            found[name] = elsewhere(name, found, {anchor for anchor, _ in laid})  # that table has its own seats
     found |= {name: found[name].alone for name in (*ringed(found, demands), *crowd)}
     found |= dict(_off_piles(found, wanted, demands))
     found |= {name: one for name, one in _at_their_places(found, demands) if name not in wanted}

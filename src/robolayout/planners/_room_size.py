@@ -112,6 +112,9 @@ def _blocks(wishes: RoomWishes) -> Iterator[tuple[float, float]]:
             before = any(k.relation in ("facing", "front") and thing in named(k.subjects) for k in links)
             yield wide, deep + SIZES.before * before
             yield wide * before, wide * before  # what is before it may be at any wall
+        if link.relation == "turning" and place_in(link.objects, "middle", "room"):  # what is at the walls is beyond
+            deep = max((min(kind.size[:2]) for kind in wishes.asked.values() if kind.on_floor), default=0.0)
+            yield link.metres[0] + 2 * deep, link.metres[0] + 2 * deep
         for ring in wishes.rings([link]):
             yield ring + 2 * SIZES.around, ring + 2 * SIZES.around
         for thing in named(link.subjects) if link.relation == "cleared" else ():

@@ -223,7 +223,7 @@ def _wished(wishes: RoomWishes) -> dict[str, int]:
     """Return what was asked for, with what the people in the sentence bring along."""
     room, wished = wishes.room, Counter(wishes.things)
     people = _people(wishes, wished)
-    heads = {head(name) for name in wished}
+    heads = {head(name) for name in wished if name != "high chair"}  # one more at a table
     heads |= {"chair"} if SEATS & {*wished} and "table" in heads else set()
     heads |= {"chair"} if "stool" in heads and _at_a_counter(wished) else set()
     heads |= {"laptop"} if heads & {"monitor", "computer"} else set()
@@ -233,7 +233,7 @@ def _wished(wishes: RoomWishes) -> dict[str, int]:
     rows = {head(one.noun.kind) for one in {m.thing for link in formed for m in link.subjects} | wishes.audience}
     if (rows & {"chair", "seat", "pew"} or "seat" in map(head, wished)) and "desk" not in heads:
         heads |= {"desk", "chair"}  # an audience sits before a board, at no desks
-    about = (link for link in links if link.relation in ("with", "around", "by"))
+    about = (link for link in links if link.relation in ("with", "around", "by", "behind", "front", "oneside"))
     at_tables = (k for k in about if any(to.noun.kind.endswith(("table", "lab bench")) for to in named(k.objects)))
     sat = [m.thing for link in at_tables for m in link.subjects if m.sat_on]
     if 2 * sum(thing.count for thing in sat if head(thing.noun.kind) in ("chair", "stool")) >= room.people:
@@ -325,7 +325,7 @@ def _people(wishes: RoomWishes, wished: dict[str, int]) -> int:
         taken = {"desk"}  # who sits at the table also has a desk, and each of the other chairs is somebody else's
     tables = [(wishes.kinds[name], n) for name, n in wished.items() if room.tables and head(name) == "table"]
     seats = sum(count * (2 if max(kind.size[:2]) <= SIZES.for_two else 4) for kind, count in tables)
-    own = [count for name, count in wished.items() if head(name) in taken and not visits(name)]
+    own = [n for name, n in wished.items() if head(name) in taken and not visits(name) and name != "high chair"]
     return max(own, default=seats or _usual_people(wishes))
 
 

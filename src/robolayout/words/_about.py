@@ -69,10 +69,11 @@ class About(References):
         whole = chunk.value in ("in", "on", "around", "flank")  # "in the kitchen", "around the room"
         if following.kind == "corner" and chunk.value == "in":  # "a piano in the music corner"
             self._part_of_room(following).things += self.about
-        if following.kind in ("room", "corner") and not whole and (first := self._stands_for(following)) is not None:
+        meant = None if whole else self._stands_for(following)
+        if meant is not None:
             self.at += 1
             self.said.facts.append(following)
-            return first
+            return meant
         if following.kind in ("room", "function", "people") and not clause:
             self.at += 1
             ends = following.value.endswith(("head", "foot")) or chunk.value in ("opposite", "facing", "near", "next")
@@ -208,7 +209,8 @@ class About(References):
 
     def _at_sides(self, chunk: Chunk, subjects: Sequence[Mention], place: Place | None) -> bool:
         """Seats on the sides or at the ends of a table stand around it; other things at a side are on top of it or beside it."""
-        tables = [thing for thing in self.said.things if thing.head in ("table", "counter", "island")]
+        held = [m.thing for m in self.holder if m.thing.head == "table"]  # "a table by the island, with a bench at its end"
+        tables = held or [thing for thing in self.said.things if thing.head in ("table", "counter", "island")]
         around = ("chair", "stool", "bench", "cushion", "armchair")
         seats = [m for m in subjects if m.thing.head in around]
         if not tables or not seats or named(subjects) - named(seats) - {tables[-1]}:

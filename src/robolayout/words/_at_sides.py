@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
+from functools import partialmethod
 from itertools import pairwise
 
 from robolayout.assets import category_of
@@ -14,7 +15,7 @@ from robolayout.constraints.around import Around
 from robolayout.scene import ROUNDING
 from robolayout.words import _function_words as small
 from robolayout.words import _ways as ways_of
-from robolayout.words._places import Asked, AtPlaces, openings_meant, opposed, walls_meant
+from robolayout.words._places import COMPASS, Asked, AtPlaces, openings_meant, opposed, walls_meant
 from robolayout.words._rows import ToldRows
 from robolayout.words._said import Link, Place, place_in
 from robolayout.words.demands import Demand, EdgeGap, FreeDisc, Way, by_ways, single, stated
@@ -37,6 +38,15 @@ def parted(asked: Iterable[tuple[Link, Asked]]) -> frozenset[str]:
     """Return what is asked to opposite walls: what is between that may be far from both."""
     walls = ((it.subjects, it.place) for _, it in asked if it.place is not None and it.place.name == "wall")
     return frozenset(name for names, at in walls if at.plural and "opposite" in at.words for name in names)
+
+
+def in_corners(asked: Iterable[tuple[Link, Asked]]) -> dict[str, str]:
+    """Return what is asked to be in a corner, with what is across from it: "a bed in one corner, a desk in the opposite one"."""
+    found = dict[str, str]()
+    for it in (it for _, it in asked if it.place is not None and it.place.name == "corner"):
+        last = next(reversed(found), "") if it.place is not None and "opposite" in it.place.words else ""
+        found |= dict.fromkeys(it.subjects, last)
+    return found
 
 
 class AtSides(AtPlaces):
@@ -194,6 +204,39 @@ class AtSides(AtPlaces):
         yield Demand(
             tuple((*self._at_side(one, it.subjects, b), *self._at_side(other, there, b)) for one, other in sides)
         )
+
+    def _towards(self, way: str, a: str, b: str) -> Demand | None:
+        """Return that one thing is north, or so, of another, which may stand with its back to any wall."""
+        x, y = COMPASS[way]
+        found = dict[tuple[float, float], Way]()
+        for wall in self.room.walls:
+            (u, v), back = wall.normal, stated("align_with", AssetRef(b), WallRef(wall.index), 90.0)
+            sides = {"behind": (u, v), "in_front_of": (-u, -v), "left_of": (v, -u), "right_of": (-v, u)}
+            side = next((side for side, inward in sides.items() if x * inward[0] + y * inward[1] > math.sqrt(0.5)), "")
+            if side:
+                found.setdefault(wall.normal, (back, stated(side, AssetRef(a), AssetRef(b), 0.0, ways_of.NEAR)))
+        return Demand(tuple(found.values())) if found else None
+
+    _northwards_each = partialmethod(_towards, "north")
+    _southwards_each = partialmethod(_towards, "south")
+    _eastwards_each = partialmethod(_towards, "east")
+    _westwards_each = partialmethod(_towards, "west")
+
+    def _outside(self, it: Asked) -> Demand:
+        """Half of some things at one end of a row, half at the other: which end is which, the row tells."""
+        half = -(-len(it.subjects) // 2)
+        ends = (it.others[0], it.others[-1])
+        ways = list[Way]()
+        for left, right in (ends, ends[::-1]):
+            at = [("left_of", it.subjects[:half], left), ("right_of", it.subjects[half:], right)]
+            ways.append(
+                tuple(said for side, who, b in at for said in self._at_side(side, who, b, (0.0, ways_of.BESIDE)))
+            )
+        return Demand(tuple(ways))
+
+    def _mirrored(self, it: Asked) -> Iterator[Demand]:
+        for a, b in zip(it.subjects[::2], it.subjects[1::2], strict=False):
+            yield from (single(stated("symmetric_pair", *map(AssetRef, (a, b, c)))) for c in it.others[:1])
 
     def _sided(self, it: Asked) -> Iterator[Demand]:
         """The seats of each table in equal shares at its sides."""

@@ -59,6 +59,8 @@ class Chunk:
     def sided(self) -> str:
         """At which sides of a table seats are: "four chairs on each long side", "one at each end", "a bench on one long side"."""
         words = {*self.adjectives}
+        if "outer" in words:  # "on the outer sides of" two beds side by side
+            return "outer"
         each = not words.isdisjoint(("each", "either", "both", "opposite", "opposing", "sides", "ends"))
         both = self.value == "around" or (self.value == "flank" and not {"left", "right"} & words)
         if not (self.value == "oneside" or (both and each)) or "all" in words:

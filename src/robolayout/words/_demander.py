@@ -14,7 +14,7 @@ from robolayout.constraints.in_shape import InShape
 from robolayout.scene import Scene
 from robolayout.words import _function_words as small
 from robolayout.words import _ways as ways_of
-from robolayout.words._at_sides import AtSides, on_walls_beside, parted
+from robolayout.words._at_sides import AtSides, in_corners, on_walls_beside, parted
 from robolayout.words._places import Asked, walls_meant
 from robolayout.words._rows import ToldRows, alike, in_rows, neighbours, on_a_wall
 from robolayout.words._said import Link, Mention, NamedThing, Place, mentions, named, place_in, places
@@ -33,7 +33,7 @@ class Demander(AtSides):
         asked = [(link, self._asked(link)) for link in links]
         self.shelved = dict(shelved(scene.by_name, asked))
         self.parted = parted(asked)
-        self.cornered = frozenset(a for _, it in asked if it.place and it.place.name == "corner" for a in it.subjects)
+        self.cornered = in_corners(asked)
         self.askew = {name for link, it in asked if link.relation == "diagonal" for name in it.subjects}
         twos = [(link.relation, *two) for link, it in asked for two in it.twos]
         self.put = {a for _, a, _ in twos}  # what stands at another thing
@@ -42,7 +42,7 @@ class Demander(AtSides):
         on_floor = [(how, a, b) for how, a, b in twos if self._asset(a).on_floor]
         backed = {b for how, a, b in on_floor if how == "flank" or (how == "behind" and a not in sat_on)}
         self.surrounded = frozenset(backed.union(name for name, count in seats.items() if count > 2))
-        self.surrounded |= self._seated_around(self.cornered) | (self.askew & self.cornered)
+        self.surrounded |= self._seated_around(self.cornered) | (self.askew & self.cornered.keys())
         seated = (one for one in scene.assets if self._is(one.name, small.SEATS))
         hosted = any(not ways_of.visits(one.category) for one in seated)
         # desks with a seat behind them
@@ -210,7 +210,10 @@ class Demander(AtSides):
                 yield self._gap(a, ends, *metres)
 
     def _flank(self, it: Asked) -> Iterator[Demand]:
-        """Left and right of a thing, in turn."""
+        """Left and right of a thing, in turn; at the ends of a row."""
+        if it.sided == "outer" and it.others[1:]:
+            yield self._outside(it)
+            return
         by: dict[str, list[str]] = {}
         for a, b in it.twos:
             if self._is(b, small.BEARING) and self._asset(a).on_object and not self._asset(a).on_floor:
@@ -280,7 +283,7 @@ class Demander(AtSides):
         return min(self.metres.get((a, b), (0.0, 0.0))[1], ways_of.ACROSS)
 
     def _into_a_mirror(self, a: str, b: str) -> bool:
-        return self._is(a, small.SEATS) and self._is(b, ("mirror",))
+        return self._is(a, (*small.SEATS, "treadmill")) and self._is(b, ("mirror",))
 
     def _opposite(self, it: Asked) -> Iterator[Demand]:
         """Across from a thing, seats that look there side by side; from a place, looking at it."""
@@ -334,10 +337,6 @@ class Demander(AtSides):
             to = [AssetRef(b) for b in it.others] or self._points(it.place)
             return [*self.told.opening(it.subjects, to)]
         return []
-
-    def _mirrored(self, it: Asked) -> Iterator[Demand]:
-        for a, b in zip(it.subjects[::2], it.subjects[1::2], strict=False):
-            yield from (single(stated("symmetric_pair", *map(AssetRef, (a, b, c)))) for c in it.others[:1])
 
     def _row(self, it: Asked) -> Iterator[Demand]:
         """Side by side: alike things in one line, others each at a side of the one before, turned the same way."""

@@ -36,11 +36,13 @@ def half_aside(room: Room, wall: Wall, side: str) -> tuple[PointRef, ...]:
 
 
 def _halves(room: Room) -> dict[str, tuple[float, float, float, float]]:
-    """Return the halves of the room's bounds by their names on the plan."""
+    """Return the halves of the room's bounds by their names on the plan, on which north is up."""
     x0, y0, x1, y1 = room.bounds
     x, y = (x0 + x1) / 2, (y0 + y1) / 2
     back = (x0, y, x1, y1)
-    return {"left": (x0, y0, x, y1), "right": (x, y0, x1, y1), "back": back, "rear": back, "front": (x0, y0, x1, y)}
+    halves = {"left": (x0, y0, x, y1), "right": (x, y0, x1, y1), "back": back, "rear": back, "front": (x0, y0, x1, y)}
+    ways = {"north": "back", "south": "front", "west": "left", "east": "right"}
+    return halves | {name + end: halves[half] for name, half in ways.items() for end in ("", "ern")}
 
 
 def _arms(room: Room) -> tuple[tuple[float, float, float, float], ...]:

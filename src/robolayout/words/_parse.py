@@ -34,7 +34,7 @@ class Parser(Relating):
                 self._fact(replace(chunk, kind="function"))  # "a cup of coffee"
             elif chunk.kind == "other":
                 self.said.missed.append(chunk)
-            elif chunk.kind != "colon":
+            else:
                 self._fact(chunk)
         self._on_stop(None)
         for zone in self.zones.values():  # one after the other: what stands in one part is of no other

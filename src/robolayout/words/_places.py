@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import operator
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import combinations, product
 
@@ -47,6 +47,8 @@ def _told(walls: list[Wall], word: str, room: Room) -> list[Wall]:
     """Return the walls of which an adjective is true, or that have an opening: "the window wall"."""
     if word in ("window", "door"):
         return [wall for wall in walls if wall.index in {opening.wall for opening in openings(room, word)}]
+    if word == "windowless":
+        return [wall for wall in walls if wall.index not in {opening.wall for opening in room.windows}]
     if word in ("long", "short"):
         wanted = (max if word == "long" else min)(wall.length for wall in room.walls)
         return [wall for wall in walls if abs(wall.length - wanted) <= SAME]
@@ -143,7 +145,9 @@ class AtPlaces:
 
     def __init__(self, scene: Scene) -> None:
         self.scene, self.room = scene, scene.room
-        self.cornered = frozenset[str]()  # what is asked to be in a corner, perhaps one by a window
+        self.cornered: Mapping[
+            str, str
+        ] = {}  # what is asked to be in a corner, perhaps one by a window, and what is across
         self.surrounded = frozenset[str]()  # what touches no wall: seats are all around it, or something is behind it
 
     def _asset(self, name: str) -> Asset:
@@ -238,7 +242,8 @@ class AtPlaces:
         elif place.name == "corner":
             for vertex in corners_meant(self.room, place):
                 near = stated("near", ref, floor_point(self.room.vertices[vertex]), ways_of.FREE_IN_CORNER)
-                yield (near if a in self.surrounded else stated("corner", ref, vertex),)
+                here = near if a in self.surrounded else stated("corner", ref, vertex)
+                yield (here, *self._across_from(vertex, self.cornered.get(a, "")))
         elif place.name in ("window", "door"):
             gap = (ways_of.AT_WINDOW if place.name == "window" else ways_of.AT_DOOR) * wider
             gap = max(gap, ways_of.NEAR) if a in self.surrounded else round(gap, 2)  # seats are between it and there
@@ -261,6 +266,12 @@ class AtPlaces:
                 yield from self._ways_at_the_front(ref, boards, [w for w in ("left", "right") if w in place.words])
                 return
             yield from ((stated("zone", ref, half),) for half in halves_meant(self.room, place))
+
+    def _across_from(self, vertex: int, other: str) -> Way:
+        """Return that another thing, if there is one, is in the corner that is farthest from this one."""
+        at = self.room.vertices
+        far = max(convex_corners(self.room), key=lambda i: math.dist(at[i], at[vertex]))
+        return (stated("corner", AssetRef(other), far),) if other else ()
 
     def _ways_at_the_front(self, ref: AssetRef, boards: Sequence[str], aside: Sequence[str]) -> Iterator[Way]:
         """Yield the ways in which a thing is before a board, and `aside` as seen by who looks at that."""

@@ -174,9 +174,7 @@ class References(Spoken):
     def _on_both_sides(self, chunk: Chunk, subjects: Sequence[Mention], objects: Sequence[Item]) -> Chunk:
         """Count what stands at each side of something; return the relation, which is "around" for several seats at a table."""
         tables = [to.thing for to in mentions(objects) or self.holder if to.thing.has_sides]
-        each = (
-            self.having and self.holder
-        ) or "each" in chunk.adjectives  # "a sofa and a chair on either side of it" are one each
+        each = (self.having and self.holder) or "each" in chunk.adjectives  # "a sofa and a chair on either side of it"
         for mention in subjects if each else subjects[: len(subjects) == 1]:
             thing = mention.thing
             own = not objects and mention.det == "a"
@@ -202,23 +200,24 @@ class References(Spoken):
     def _opposite_corner(self, place: Place) -> Place:
         """Return the corner across from that of before: "the bed in the north-west corner, the desk in the opposite one"."""
         before = [at.words for link in self.said.links for at in places(link.objects, "corner")][-1:]
-        if place.name != "corner" or not before or not {"opposite", "opposing", "diagonal"} & {*place.words}:
+        if place.name != "corner" or not {"opposite", "opposing", "diagonal"} & {*place.words}:
             return place
-        words = tuple(small.ACROSS[word] for word in before[0] if word in small.ACROSS)
-        self.said.missed += [] if words else [self._ahead(-1)]
-        return replace(place, words=words or place.words)
+        told = [small.ACROSS[word] for word in (before[0] if before else ()) if word in small.ACROSS]
+        self.said.missed += [] if before or place.by else [self._ahead(-1)]
+        return replace(place, words=(*told,) or ("opposite",))
 
     def _led_back(self, relation: str) -> Sequence[Item]:
         """Return what a relation leads to where nothing is named: "a loft bed with a desk underneath", "a bed on the left"."""
         if relation == "opposite":  # of a single seat, bed or desk: "a bed ..., a mirror on the wall opposite"
             faced = self._last_of(("desk", "island", *small.SEATS, *small.SLEPT_ON, *small.WATCHED), named(self.about))
             foot = [k.objects for k in self.said.links if k.relation == "foot" and named(faced) & named(k.subjects)]
-            faced = [
-                m for m in (mentions(foot[-1]) if foot else faced) if not m.several
-            ]  # a bench at the foot of a bed
+            faced = mentions(foot[-1]) if foot else faced  # a bench at the foot of a bed
+            faced = [m for m in faced if not m.several]
             here = [k.subjects for k in self._here if k.relation != "with"][-1:]
             # "a washer and a dryer along a wall, an ironing board opposite"
             return faced or [m for each in here for m in each[:1] if m.thing not in named(self.about)]
+        if relation == "foot" and (beds := self._last_of(small.SLEPT_ON, named(self.about))):
+            return beds
         last = self.said.last
         if relation == "flank" and last.relation in ("left", "right") and last.start >= self.began and not self.holder:
             return mentions(last.objects)  # "a lectern to the right of the altar and candles on both sides"
@@ -363,6 +362,8 @@ class References(Spoken):
                 thing.number = self._gaps(apart[0])  # "partitions between the desks"
         for mention in subjects if chunk.value == "rows" else ():
             mention.thing.rows = mention.thing.rows or chunk.rows  # "clothing racks in three rows"
+        for thing in (m.thing for m in subjects if chunk.value == "columns" and m.thing.rows and m.thing.uncounted):
+            thing.number = thing.rows * (chunk.rows or 1)  # "six rows of pews in two columns"
         return subjects
 
     def _link(self, chunk: Chunk, subjects: Sequence[Mention], objects: Sequence[Item]) -> None:

@@ -71,6 +71,11 @@ class NamedThing:
         return tuple(word for word in (*self.adjectives, *self.told) if word in LOOKS)
 
     @property
+    def phrase(self) -> tuple[str, ...]:
+        """The words of the noun phrase that named it."""
+        return (*self.adjectives, *self.noun.said.split())
+
+    @property
     def of_all(self) -> tuple[str, ...]:
         """What is said of all of it: before its noun, or later if it is one ("the coffee table should be round")."""
         return (*self.adjectives, *(self.told if self.count == 1 else ()))
@@ -102,7 +107,7 @@ class NamedThing:
     @property
     def sides(self) -> int:
         """At how many sides of it "each side" is: of a square table at all four."""
-        return 4 if "square" in (*self.adjectives, *self.noun.said.split()) else 2
+        return 4 if "square" in self.phrase else 2
 
     def same(self, chunk: Chunk) -> bool:
         """Return whether a noun phrase may mean this thing, which was named before."""

@@ -108,6 +108,10 @@ class Spoken:
         self.began = 0
         self._new_sentence()
 
+    def _on_colon(self, _: Chunk) -> None:
+        """End what is refused: "a room without a desk: a bed, a chair"."""
+        self.refusing = self.negated = False
+
     def _new_sentence(self) -> None:
         if self.told < self.began:  # of the sentence before the last one
             self.contrast, self.kept = ("", []), []
@@ -137,7 +141,12 @@ class Spoken:
         return part
 
     def _stands_for(self, chunk: Chunk) -> Mention | None:
-        """Return what stands for a part of the room to which a relation leads: "near the kitchen", where that is not all of the room."""
+        """Return what stands for a part of the room, where that is not all of it, or a person: "near the kitchen", "behind the teacher"."""
+        if chunk.kind == "people":  # "the teacher's desk and a board behind the teacher"
+            own = [t for t in self.said.things if chunk.value in {w.removesuffix("s") for w in t.phrase}]
+            return Mention(own[-1]) if own else None
+        if chunk.kind not in ("room", "corner"):
+            return None
         others = [fact for fact in self.said.facts if fact.kind == "room" and fact.value != chunk.value]
         if chunk.value not in small.AREAS or (chunk.kind == "room" and not others):
             return None
@@ -386,7 +395,8 @@ class Spoken:
         if not pronoun or relation in small.OF_A_SIDE:
             aside = relation in ("left", "right")  # "a desk before the window, a chair behind it" is behind the desk
             side = things[:1] or [item for item in objects[:1] if aside and place_in([item], "door", "window")]
-            self.contrast = (small.OTHER_SIDE[relation], side) if relation in small.OTHER_SIDE else ("", [])
+            told = (small.OTHER_SIDE[relation], side) if relation in small.OTHER_SIDE else ("", [])
+            self.contrast = self.contrast if place_in(objects[:1], "wall") and not told[0] else told
         if things and (pronoun or (fronted and relation in small.AXES)):
             self.kept, self.axis, self.other = things[:1], "" if pronoun else small.AXES[relation], []
         elif not pronoun:

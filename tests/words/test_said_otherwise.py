@@ -1,0 +1,100 @@
+"""Phrases in which people ask for a place: by the compass, by who looks or reaches, for a robot that carries."""
+
+from __future__ import annotations
+
+import pytest
+
+from robolayout.planners.sentence import scene_from_sentence
+from robolayout.words import read_words
+from robolayout.words._judged import Unjudged
+
+
+def rows(text: str) -> list[Unjudged]:
+    scene, _ = scene_from_sentence(text)
+    return [row for row in read_words(scene).rows if row.kind in ("relation", "way", "not understood")]
+
+
+@pytest.mark.parametrize(
+    ("text", "meant"),
+    [
+        ("a bedroom with a single bed she can get out of on the right side", "keep_clear(single_bed-0, right"),
+        ("a living room with a sofa watching the TV", "point_towards(sofa-0, television-0)"),
+        ("a bedroom where I can lie in bed and watch the TV on the opposite wall", "point_towards(bed-0, television-0)"),
+        ("an office with two armchairs and a clock the client can see from the armchair", "point_towards(armchair-0, "),
+        ("a living room where the TV can be watched from the dining table", "point_towards(dining_table-0, television-0)"),
+        ("a bedroom with a bed in an alcove between two wardrobes", "bed-0 between wardrobe-0 and wardrobe-1"),
+        ("a cafe with a counter and a queue space of 1.5 m in front of the counter", "keep_clear(bar_counter-0, depth=1.5)"),
+        ("a garage with a car and 0.8 m between the car and everything else", "keep_clear(car-0, depth=0.8)"),
+        ("a living room with two sofas and a coffee table in the corner between them", "coffee_table-0 between sofa-0 and sofa-1"),
+        ("a bedroom with a desk on the north side of the room", "zone(desk-0, "),
+        ("an office with a cabinet along the windowless wall", "against_wall(cabinet-0, walls["),
+        ("a classroom with a teacher's desk and a whiteboard behind the teacher", "behind(whiteboard-0, teacher_desk-0"),
+    ],
+)  # fmt: skip
+def test_a_phrase_asks_for_what_it_says(text: str, meant: str) -> None:
+    assert any(row.understanding.startswith(meant) for row in rows(text)), [row.understanding for row in rows(text)]
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ("a bedroom with a bed in an alcove and a desk", "in an alcove"),
+        ("a showroom with a car in the centre turned 30 degrees", "turned 30 degrees"),
+        ("a kitchen with the knives out of reach of children and a fridge", "out of reach of children"),
+        ("a studio with a bed by the window and a desk in the opposite corner", "the opposite corner"),
+    ],
+)
+def test_what_cannot_be_said_is_given_back(text: str, words: str) -> None:
+    assert any(row.kind == "not understood" and words in row.words for row in rows(text))
+
+
+def test_a_robot_that_fetches_gets_to_where_it_takes_and_puts() -> None:
+    told = rows(
+        "a living room where a mobile manipulator can pick cups off the coffee table and put them on the counter"
+    )
+    scene, understanding = scene_from_sentence("a kitchen where a mobile manipulator can work")
+    assert understanding.agent == "fetch" and scene.agents[0].name == "fetch"
+    assert [row.kind for row in told] == ["relation", "way"]
+    assert told[0].understanding.startswith("on_top_of(cup-0, coffee_table-0)")
+
+
+@pytest.mark.parametrize("way", ["north", "south", "east", "west"])
+def test_the_compass_says_where_one_thing_is_of_another(way: str) -> None:
+    text = f"a living room with an armchair {way} of the coffee table and a lamp on the {way} side of the sofa"
+    first, second = rows(text)
+    assert (
+        first.understanding.endswith("or one of 3 other ways") and "armchair-0, coffee_table-0" in first.understanding
+    )
+    assert "table_lamp-0, sofa-0" in second.understanding
+
+
+def test_stands_at_the_outer_sides_of_two_beds_are_at_the_ends_of_their_row() -> None:
+    (row,) = [row for row in rows("a hotel room with two beds side by side and a night stand on the outer side of each")
+              if "night" in row.words]  # fmt: skip
+    ends = [[(relation.name, *relation.asset_names()) for relation in way] for way in row.demands[0].ways]
+    assert ends == [
+        [("left_of", "night_stand-0", "bed-0"), ("right_of", "night_stand-1", "bed-1")],
+        [("left_of", "night_stand-0", "bed-1"), ("right_of", "night_stand-1", "bed-0")],
+    ]
+
+
+def test_rows_in_columns_are_so_many() -> None:
+    scene, _ = scene_from_sentence("a chapel with six rows of pews in two columns")
+    assert sum(one.category == "pew" for one in scene.assets) == 12
+
+
+def test_what_is_refused_ends_at_a_colon() -> None:
+    scene, _ = scene_from_sentence("a living room without a coffee table: a sofa 3 m in front of the TV")
+    kinds = {one.category for one in scene.assets}
+    assert "sofa" in kinds and "coffee table" not in kinds
+
+
+def test_a_high_chair_is_one_more_at_the_table() -> None:
+    for text in ("a dining room with a table and a high chair at one end", "a kitchen with a table and a high chair"):
+        scene, _ = scene_from_sentence(text)
+        assert sum(one.category == "chair" for one in scene.assets) >= 4, text
+
+
+def test_pupils_with_two_chairs_behind_each_table_have_no_desks_besides() -> None:
+    scene, _ = scene_from_sentence("a classroom with six tables in a U and two chairs behind each table")
+    assert not any(one.category == "student desk" for one in scene.assets)
