@@ -10,7 +10,14 @@ from pathlib import Path
 from typing import Any
 from unittest.mock import patch
 
+import pytest
+
 ROOT = Path(__file__).parents[1]
+
+
+def slow(*values: object) -> Any:
+    """Return a case that takes seconds: `make test` leaves it to `make test-all`."""
+    return pytest.param(*values, marks=pytest.mark.slow)
 
 
 @dataclass(frozen=True)

@@ -214,6 +214,7 @@ def test_public_things_are_documented(path: Path) -> None:
     fail_on(path, list(undocumented(parse(path))))
 
 
+@pytest.mark.slow
 def test_each_class_name_stands_for_one_class() -> None:
     named: dict[str, list[str]] = {}
     for path in FILES:

@@ -201,6 +201,7 @@ def test_paths_that_no_system_takes_are_the_users_to_mend(command: Command, tmp_
     assert sorted(os.listdir(tmp_path)) == ["room.json"]
 
 
+@pytest.mark.slow
 def test_a_sentence_may_be_longer_than_a_file_name(command: Command, tmp_path: Path) -> None:
     words = f"a bedroom with {', '.join(['a shiny red spaceship'] * 12)} and a bed, 6 x 8 m"
     ran = command("generate", words, "--out", tmp_path / "out", "--no-pictures", "--json")

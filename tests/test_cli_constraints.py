@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from running import ROOT
+from running import ROOT, slow
 
 OWN = '''
 from dataclasses import dataclass
@@ -46,6 +46,7 @@ def run(folder: Path, *words: str, command: str = "generate") -> subprocess.Comp
     return subprocess.run(called, cwd=ROOT, capture_output=True, text=True, check=False)
 
 
+@pytest.mark.slow
 def test_a_constraint_from_a_file_is_known_and_met(tmp_path: Path) -> None:
     (tmp_path / "mine.py").write_text(OWN)
     (tmp_path / "program.py").write_text("solver.east_of(potted_plant[0], x=2.5)\n")
@@ -93,6 +94,7 @@ def test_what_an_installed_package_registers_wrongly_is_put_down_to_that_package
     assert "Correct or uninstall that package." in ran.stderr
 
 
+@pytest.mark.slow
 def test_a_layout_is_checked_with_constraints_from_a_file(tmp_path: Path) -> None:
     (tmp_path / "mine.py").write_text(OWN)
     (tmp_path / "program.py").write_text("solver.east_of(desk[0], x=2.5)\n")
@@ -109,7 +111,7 @@ def test_a_layout_is_checked_with_constraints_from_a_file(tmp_path: Path) -> Non
     assert [(one["sentence"].split("(")[0], one["met"]) for one in report["statements"]] == [("east_of", False)]
 
 
-@pytest.mark.parametrize("method", ["check", "terms"])
+@pytest.mark.parametrize("method", [slow("check"), "terms"])
 def test_a_relation_that_fails_is_named_as_the_users(tmp_path: Path, method: str) -> None:
     line = next(line for line in OWN.splitlines() if f"def {method}(" in line)
     (tmp_path / "mine.py").write_text(OWN.replace(line, f"{line}\n        1 / 0"))

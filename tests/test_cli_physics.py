@@ -116,6 +116,7 @@ def test_a_model_is_written_without_the_body_and_with_open_doors(
     assert 'joint name="room/door-0"' not in text and 'name="wardrobe-0/door 0"' in text
 
 
+@pytest.mark.slow
 def test_the_whole_model_of_a_robot_is_written_and_no_file_of_a_run_says_where_it_lies(
     command: Command, furnished: Furnished, tmp_path: Path
 ) -> None:

@@ -153,6 +153,7 @@ def test_a_plan_without_an_agent_shows_the_room(given: tuple[Path, Path]) -> Non
     assert data == to_bytes(scene, load_layout(given[1], scene), "svg")
 
 
+@pytest.mark.slow
 def test_generate_draws_the_walk_when_asked(command: Command, furnished: Furnished, tmp_path: Path) -> None:
     program = furnished.folder / "program.py"
     words = ("--program", program, "--starts", 1, "--no-pictures", "--quiet", "--walk", "--out", tmp_path)

@@ -87,6 +87,7 @@ def test_a_lamp_that_slid_from_its_stand_against_the_bed_goes_back_on_the_stand(
     assert math.dist(stand.at, lamp.at) < 0.2 and lamp.z == shoved["table_lamp-1"].z
 
 
+@pytest.mark.slow
 def test_a_laid_table_stays_laid_and_its_dishes_stay_on_it() -> None:
     """Plates, forks and glasses went to the seats of the chairs, whose middles are nearer than the table's."""
     room = rl.generate("examples/dining_room.json")
@@ -99,6 +100,7 @@ def test_a_laid_table_stays_laid_and_its_dishes_stay_on_it() -> None:
     assert all(result.layout[name].z == shoved[name].z for name in dishes)
 
 
+@pytest.mark.slow
 def test_a_kitchen_whose_sink_stays_shut_is_not_rearranged_for_that() -> None:
     """No report asks for it, but the table was moved by 1.3 m and turned, four things in all, in a room that was right."""
     words = "a kitchen with a fridge, a stove, a sink, a table with four chairs and a shelf on the wall, 4.4 x 4 m"
@@ -119,6 +121,7 @@ def test_a_mirror_that_hangs_in_the_dresser_is_raised_and_that_is_told(right: rl
     assert kept.layout["mirror-0"] == low["mirror-0"]
 
 
+@pytest.mark.slow
 def test_who_frees_too_little_is_told_what_else_is_in_the_way(right: rl.Result) -> None:
     shoved = right.layout.moved("wardrobe-0", by=(1.2, 1.5))
     result = rl.generate(right.scene, start=shoved, free=["double_bed-0"])
@@ -128,6 +131,7 @@ def test_who_frees_too_little_is_told_what_else_is_in_the_way(right: rl.Result) 
     assert note.endswith("which was not to move: free that, too, or leave keep and free out.")
 
 
+@pytest.mark.slow
 def test_rotations_in_radians_are_pointed_out(right: rl.Result) -> None:
     content = right.layout.to_dict()
     content["double_bed-0"]["rotation"] = [0.0, 0.0, 3.14159]
@@ -145,6 +149,7 @@ def test_what_is_kept_does_not_move_by_a_bit(right: rl.Result) -> None:
     assert all(only.layout[name] == pose for name, pose in shoved.items() if name != "double_bed-0")
 
 
+@pytest.mark.slow
 def test_one_name_need_be_in_no_list(right: rl.Result) -> None:
     found = rl.generate(right.scene, start=right.layout.moved("double_bed-0", by=(0.2, 0.0)), keep="double_bed-0")
     assert found.layout["double_bed-0"].x == right.layout["double_bed-0"].x + 0.2
@@ -171,6 +176,7 @@ def test_wrong_requests_are_told_apart(options: dict[str, object], message: str)
         rl.generate(SCENE, agent="wheelchair", **options)
 
 
+@pytest.mark.slow
 def test_the_command(right: rl.Result, tmp_path: Path) -> None:
     start = tmp_path / "layout.json"
     start.write_text(json.dumps(right.layout.moved("double_bed-0", by=(0.3, 0.0)).to_dict()))
@@ -226,6 +232,7 @@ def test_what_is_missing_goes_back_into_its_place_with_what_stood_on_it(worded: 
         )
 
 
+@pytest.mark.slow
 def test_a_room_that_becomes_a_wheelchair_users_keeps_its_order() -> None:
     """Twelve things moved, a stand askew and its table at the wall, where only what nobody says counted."""
     room = rl.generate("a living room with a sofa, a TV and a dining table for four")

@@ -20,7 +20,7 @@ import robolayout as rl
 from robolayout import InputError
 from robolayout.many.variety import VARIETY, Plan, things
 from robolayout.run.folder import open_folder
-from running import ROOT, Ran
+from running import ROOT, Ran, slow
 from stopped import MINE, NEW, OLD, prepare, write
 
 Command = Callable[..., Ran]
@@ -256,7 +256,7 @@ def test_scene_files_have_variants_by_seed(command: Command, tmp_path: Path) -> 
 
 
 @pytest.mark.parametrize(
-    ("text", "alike"), [("a bedroom for two", False), ("a 3 x 3 m room with only a ceiling lamp", True)]
+    ("text", "alike"), [slow("a bedroom for two", False), ("a 3 x 3 m room with only a ceiling lamp", True)]
 )
 def test_variants_of_a_sentence_are_other_plans_or_are_said_to_be_alike(
     command: Command, tmp_path: Path, text: str, alike: bool
@@ -270,7 +270,7 @@ def test_variants_of_a_sentence_are_other_plans_or_are_said_to_be_alike(
     assert ("variant-1 is much like another variant (difference 0.00)" in ran.err) == alike
 
 
-@pytest.mark.parametrize("step", [2, 25, 47, 50])
+@pytest.mark.parametrize("step", [2, 25, slow(47), 50])
 def test_the_command_killed_while_it_writes(command: Command, tmp_path: Path, step: int) -> None:
     scene, home = tmp_path / "room.json", tmp_path / "out"
     scene.write_text(json.dumps(ROOM))

@@ -42,6 +42,7 @@ def texts(html: str) -> str:
     return " ".join(root.itertext())
 
 
+@pytest.mark.slow
 def test_a_result_shows_its_plan_and_its_report(result: rl.Result) -> None:
     html = result._repr_html_()
     assert "<svg" in html and "<table" in html

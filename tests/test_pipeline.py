@@ -29,6 +29,7 @@ TINY = {
 }  # fmt: skip
 
 
+@pytest.mark.slow
 def test_the_layout_is_that_of_the_command_line_with_or_without_pictures(furnished: Furnished) -> None:
     result = rl.generate(furnished.scene, agent="wheelchair", seed=0)
     assert result.layout.to_dict() == json.loads((furnished.folder / "layout.json").read_text())
@@ -119,6 +120,7 @@ def test_another_program_is_asked_for_where_a_thing_stands_too_high_for_the_body
     assert result.layout["clock-0"].z < 1.0
 
 
+@pytest.mark.slow
 def test_no_fourth_program_is_asked_for_where_three_are_hopeless() -> None:
     size = {"boundingBox": {"x": 0.9, "y": 1.4, "z": 2.0}}
     many = {f"wardrobe-{i}": {"category": "wardrobe", "onFloor": True, "assetMetadata": size} for i in range(6)}
@@ -231,6 +233,7 @@ def test_other_ways_are_not_tried_for_a_drawer_that_stays_shut(monkeypatch: pyte
     assert bettering.bettered(scene, program, best, seed=0, config=None) is best
 
 
+@pytest.mark.slow
 def test_what_a_program_forgets_stands_as_is_usual() -> None:
     scene = rl.load_scene(ROOT / "examples" / "bedroom.json")
     program = "solver.against_wall(double_bed[0], walls[1])"

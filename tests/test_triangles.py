@@ -11,6 +11,7 @@ from benchmarks.triangles import penetrations
 import robolayout as rl
 from robolayout.assets import resting_place
 from robolayout.scene import Asset, Layout, Pose, Room, Scene
+from running import slow
 
 ROOT = Path(__file__).parents[1]
 TABLE = Asset("table-0", "dining table", (0.9, 1.6, 0.75))
@@ -45,7 +46,7 @@ def test_a_cushion_lies_on_the_seat() -> None:
     assert through((sofa, 1.0, 0.0), (cushion, 1.2, place.height))[1:] == []
 
 
-@pytest.mark.parametrize("name", ["tasks/dining_room_small", "tasks/office"])
+@pytest.mark.parametrize("name", ["tasks/dining_room_small", slow("tasks/office")])
 def test_rooms_are_free_of_it_dressed_in_full(name: str) -> None:
     result = rl.generate(ROOT / f"examples/{name}.json", dress="full")
     assert len(result.scene.assets) > 40

@@ -27,6 +27,7 @@ print(OfflinePlanner().plan(PlanRequest(scene)))
 """
 
 
+@pytest.mark.slow
 def test_one_record_in_one_file_is_known_drawn_and_placed(tmp_path: Path) -> None:
     package = tmp_path / "robolayout"
     shutil.copytree(ROOT / "src" / "robolayout", package, ignore=shutil.ignore_patterns("__pycache__"))

@@ -59,6 +59,7 @@ def test_odd_sizes_still_fill_the_box_with_finite_convex_parts(name, factors, se
         assert part.faces.min() >= 0 and part.faces.max() < len(part.vertices)
 
 
+@pytest.mark.slow
 def test_same_asset_and_seed_give_the_same_bytes_in_another_process() -> None:
     script = (
         "import hashlib\n"

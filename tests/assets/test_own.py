@@ -70,6 +70,7 @@ def test_parts_uses_the_path_of_an_asset(tmp_path: Path) -> None:
     assert len(built) == 1 and not built[0].convex
 
 
+@pytest.mark.slow
 def test_a_million_triangles_are_thinned(tmp_path: Path) -> None:
     path = tmp_path / "statue.stl"
     grid = np.linspace(-1, 1, 711)

@@ -103,6 +103,7 @@ def test_a_thinned_mesh_keeps_its_picture(tmp_path: Path) -> None:
     assert len(part.uv) == len(part.vertices)
 
 
+@pytest.mark.slow
 def test_a_large_picture_is_made_smaller(tmp_path: Path) -> None:
     mesh = trimesh.creation.box((1, 1, 1))
     look = trimesh.visual.material.PBRMaterial(baseColorTexture=Image.new("RGB", (3000, 1500), (9, 9, 9)))

@@ -384,6 +384,7 @@ def test_too_much_furniture_for_the_floor_fits_in_no_layout_of_a_fine_lattice():
     assert not any({(a, b), (a, c), (b, c)} <= apart for a, b, c in itertools.combinations(range(len(places)), 3))
 
 
+@pytest.mark.slow
 @settings(max_examples=15, deadline=None, derandomize=True)
 @given(SEEDS, st.floats(0.3, 1.6))
 def test_a_body_said_to_fit_nowhere_fits_at_no_point_of_a_fine_lattice(seed: int, radius: float):

@@ -266,6 +266,7 @@ def test_one_asset_and_no_statements_have_finite_terms() -> None:
     assert not stage_arrays(flat_problem(scene)).frame_row[:, -1].any()
 
 
+@pytest.mark.slow
 def test_one_hundred_and_twenty_assets_have_finite_terms() -> None:
     room = Room(((0, 0), (20, 0), (20, 20), (0, 20)), 3.0)
     shelves = tuple(Asset(f"shelf-{i}", "shelving unit", (0.4, 0.9, 1.8)) for i in range(120))

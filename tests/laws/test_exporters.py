@@ -19,6 +19,7 @@ from hypothesis import strategies as st
 from robolayout._errors import InputError, LayoutError, MissingExtraError, OutputError, UnknownNameError
 from robolayout.export import EXPORTERS, Exporter, Options, export, exporters, find_exporter, to_bytes
 from robolayout.scene import DEFAULT_AGENT, Asset, Layout, Opening, Pose, Room, Scene
+from running import slow
 
 package = import_module("robolayout.export")
 """The folder; `import robolayout.export as ...` gives the function of that name."""
@@ -96,7 +97,7 @@ def shuffled(number: int) -> Layout:
 
 
 @reading
-@pytest.mark.parametrize("count", [3, pytest.param(1000, marks=pytest.mark.slow)])
+@pytest.mark.parametrize("count", [3, slow(1000)])
 def test_random_layouts_come_back(exporter: Exporter, count: int) -> None:
     scene = Scene(Room(ROOM.vertices, 2.5), STOOLS)
     for number in range(count):
@@ -117,6 +118,7 @@ def test_the_order_of_the_layout_does_not_matter(exporter: Exporter) -> None:
     assert exporter.write(SCENE, LAYOUT, OPTIONS) == exporter.write(SCENE, turned, OPTIONS)
 
 
+@pytest.mark.slow
 def test_bytes_do_not_depend_on_the_hash_seed(tmp_path: Path) -> None:
     program = (
         "import sys, hashlib; sys.path.insert(0, sys.argv[1]); import test_exporters as t; "

@@ -97,6 +97,7 @@ def test_a_bigger_body_never_reaches_more_whatever_it_moves(seed: int, wider: fl
         assert all(small.reached[name] for name, reached in big.reached.items() if reached)
 
 
+@pytest.mark.slow
 @settings(max_examples=25, deadline=None, derandomize=True)
 @given(SEEDS)
 def test_removing_a_thing_and_what_it_carries_never_reduces_what_is_reached_or_used(seed: int):
@@ -124,6 +125,7 @@ def _covers(after, before) -> bool:
     return all(a.buffer(1e-6).covers(b) for a, b in zip(after.standing, before.standing, strict=True))
 
 
+@pytest.mark.slow
 @settings(max_examples=20, deadline=None, derandomize=True)
 @given(SEEDS, st.floats(-3.1, 3.1), st.floats(-20, 20))
 def test_what_is_moved_and_used_does_not_change_when_the_room_is_turned_and_moved(

@@ -14,6 +14,7 @@ import test_constraints as laws
 
 from robolayout.constraints import RELATIONS, Relation, _registry, register
 from robolayout.run.result import Result
+from running import slow
 
 ROOT = Path(__file__).parents[2]
 PAGE = ROOT / "docs" / "how-to" / "constraint.md"
@@ -59,7 +60,7 @@ def test_the_relation_of_the_page_is_solved_and_reported(result: Result) -> None
 @pytest.mark.parametrize(
     "law",
     [
-        laws.test_the_gradient_is_that_of_finite_differences,
+        slow(laws.test_the_gradient_is_that_of_finite_differences),
         laws.test_no_residual_means_that_the_check_passes,
         laws.test_a_passed_check_means_little_residual,
         laws.test_nothing_changes_when_the_whole_scene_moves,

@@ -78,6 +78,7 @@ def mirrored(scene: Scene, layout: Layout) -> tuple[Scene, Layout]:
     return replace(scene, room=flipped, assets=assets), Layout(poses)
 
 
+@pytest.mark.slow
 @settings(max_examples=20, deadline=None, derandomize=True)
 @given(SEEDS, st.floats(0.01, 0.3))
 def test_a_bigger_disc_never_reaches_more(seed: int, more: float):
@@ -103,6 +104,7 @@ def test_removing_an_asset_never_reduces_what_is_reached(seed: int, index: int):
         assert all(after.reached[name] for name, reached in before.reached.items() if reached and name != gone)
 
 
+@pytest.mark.slow
 @settings(max_examples=25, deadline=None, derandomize=True)
 @given(SEEDS, st.floats(-3.1, 3.1), st.floats(-20, 20), st.sampled_from([DISC, CART]))
 def test_verdicts_do_not_change_when_the_room_is_turned_moved_or_mirrored(seed, angle, shift, agent):
@@ -115,6 +117,7 @@ def test_verdicts_do_not_change_when_the_room_is_turned_moved_or_mirrored(seed, 
             assert report.figures[name] == pytest.approx(value, abs=1e-3), name
 
 
+@pytest.mark.slow
 @settings(max_examples=25, deadline=None, derandomize=True)
 @given(SEEDS)
 def test_routes_are_free_for_the_swept_disc_at_every_centimetre(seed: int):
@@ -135,6 +138,7 @@ def test_routes_are_free_for_the_swept_disc_at_every_centimetre(seed: int):
         assert route.points[0] == nav.entry
 
 
+@pytest.mark.slow
 @settings(max_examples=20, deadline=None, derandomize=True)
 @given(SEEDS)
 def test_a_passage_is_the_widest_disc_that_gets_there(seed: int):

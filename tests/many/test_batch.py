@@ -70,6 +70,7 @@ def rows(folder: Path) -> list[dict[str, str]]:
     return list(csv.DictReader((folder / "index.csv").open(encoding="utf-8")))
 
 
+@pytest.mark.slow
 def test_two_processes_make_the_set_that_one_makes(tmp_path: Path, here: list[Here]) -> None:
     table = tiny_spec(tmp_path, 3, formats=["mjcf"])
     rl.batch(table, tmp_path / "one")
@@ -110,6 +111,7 @@ def test_what_a_set_holds(tmp_path: Path, here: list[Here]) -> None:
     assert '"thumbs":true' in page and "rooms/00000/00000003" in page
 
 
+@pytest.mark.slow
 def test_own_meshes_are_shared_and_named_from_the_set(tmp_path: Path, here: list[Here], command: Command) -> None:
     meshes, out = tmp_path / "own", tmp_path / "set"
     meshes.mkdir()
@@ -182,6 +184,7 @@ def test_a_worker_that_ends_costs_its_room_at_most(
     assert rows(tmp_path / "set")[1]["replaced"] == "0", "somebody else ended its workers"
 
 
+@pytest.mark.slow
 def test_hanging_and_greedy_workers_are_ended(tmp_path: Path) -> None:
     code = (
         "import sys, time\nfrom pathlib import Path\nimport robolayout.many.workers as workers\n"
@@ -199,6 +202,7 @@ def test_hanging_and_greedy_workers_are_ended(tmp_path: Path) -> None:
         assert (done.returncode, done.stdout) == (ended, said), done.stderr
 
 
+@pytest.mark.slow
 def test_a_full_disk_ends_in_a_sentence_and_the_same_call_goes_on(
     tmp_path: Path, here: list[Here], monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -34,6 +34,7 @@ def crowds(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, dict[str, rl
     return folder, results
 
 
+@pytest.mark.slow
 def test_every_solvers_layouts_have_the_figures_of_the_benchmarks(crowds: tuple[Path, dict[str, rl.Result]]) -> None:
     folder, results = crowds
     rows = {row["room"]: row for row in rl.evaluate(folder).rows}
@@ -79,6 +80,7 @@ def forms(folder: Path, result: rl.Result, asset_names: list[str]) -> list[str]:
     return ["below/room", "beside", "run", "state/a", "theirs/bedroom", "under"]
 
 
+@pytest.mark.slow
 def test_every_form_of_a_room_is_found_and_measured_alike(furnished: Furnished, tmp_path: Path) -> None:
     scene = rl.load_scene(furnished.folder / "scene.json").with_agents(rl.load_agent("wheelchair"))
     layout = rl.load_layout(furnished.folder / "layout.json", scene)
@@ -97,6 +99,7 @@ def test_every_form_of_a_room_is_found_and_measured_alike(furnished: Furnished, 
         assert state[key] == pytest.approx(first[key], abs=1e-6), key
 
 
+@pytest.mark.slow
 def test_a_state_without_sizes_asks_for_the_folder_of_assets(furnished: Furnished, tmp_path: Path) -> None:
     scene = rl.load_scene(furnished.folder / "scene.json")
     layout = rl.load_layout(furnished.folder / "layout.json", scene)
@@ -119,6 +122,7 @@ def test_a_state_without_sizes_asks_for_the_folder_of_assets(furnished: Furnishe
         assert said in rl.evaluate(tmp_path / "rooms").skipped["a"]
 
 
+@pytest.mark.slow
 def test_two_folders_are_paired_by_name(crowds: tuple[Path, dict[str, rl.Result]], tmp_path: Path) -> None:
     folder, results = crowds
     best = results["default"]
@@ -140,6 +144,7 @@ def test_two_folders_are_paired_by_name(crowds: tuple[Path, dict[str, rl.Result]
     assert rl.evaluate(tmp_path / "mine", workers=2).rows == rl.evaluate(tmp_path / "mine").rows
 
 
+@pytest.mark.slow
 def test_what_is_written(crowds: tuple[Path, dict[str, rl.Result]], tmp_path: Path) -> None:
     found = rl.evaluate(crowds[0], against=crowds[0])
     files = write_evaluation(found, tmp_path / "out")
@@ -161,6 +166,7 @@ def test_names_of_rooms_run_nothing_in_the_page() -> None:
     assert "alert(1)</script>" not in text and "<b>" not in text and "default-src 'none'" in text
 
 
+@pytest.mark.slow
 def test_groups_are_those_of_a_batch(tmp_path: Path) -> None:
     from tiny_sets import tiny_spec
 
@@ -186,6 +192,7 @@ def test_a_folder_without_rooms_is_refused(tmp_path: Path, made: Any, said: str)
         rl.evaluate(folder)
 
 
+@pytest.mark.slow
 def test_the_command(crowds: tuple[Path, dict[str, rl.Result]], command: Command, tmp_path: Path) -> None:
     ran = command("evaluate", crowds[0], "--out", tmp_path / "out")
     assert (

@@ -23,6 +23,7 @@ def hidden(folder: Path) -> list[str]:
     return [path.name for path in folder.rglob(".*")]
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="the system cannot fork")
 def test_killed_at_twenty_moments_of_its_work_on_the_disk(tmp_path: Path) -> None:
     script = [sys.executable, str(ROOT / "tests" / "many" / "killed.py"), str(tmp_path), "20"]
@@ -67,6 +68,7 @@ def _notes(folder: Path) -> list[dict[str, str]]:
     return [json.loads(path.read_text()) for path in sorted(folder.glob("rooms/*/[0-9]*/room.json"))]
 
 
+@pytest.mark.slow
 def test_killed_workers_cost_nothing_but_time(tmp_path: Path) -> None:
     assert killed_workers(tmp_path, 5, 2) == 2
 
@@ -101,6 +103,7 @@ def test_the_command_killed_at_random_moments(tmp_path: Path, count: int, kills:
     killed_drivers(tmp_path, count, kills)
 
 
+@pytest.mark.slow
 def test_the_command_killed_once(tmp_path: Path) -> None:
     killed_drivers(tmp_path, 4, 1)
 

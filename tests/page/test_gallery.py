@@ -33,6 +33,7 @@ def test_the_page_holds_every_room(leaves: Path) -> None:
     assert text.count("</script>") == 1
 
 
+@pytest.mark.slow
 def test_the_page_leafs(leaves: Path, chromium: Callable[..., object]) -> None:
     page = chromium().new_page()
     page.goto(leaves.as_uri())

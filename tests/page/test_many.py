@@ -39,6 +39,7 @@ def shown(chromium: Callable[..., Any], tmp_path_factory: pytest.TempPathFactory
     tab.close()
 
 
+@pytest.mark.slow
 def test_filters_choose_and_order(shown: Any) -> None:
     assert shown.inner_text("#where") == "1 to 60 of 130"
     shown.click("#after")

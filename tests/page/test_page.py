@@ -17,6 +17,7 @@ from robolayout.assets import parts
 from robolayout.program import read_program
 from robolayout.run.result import Result
 from robolayout.scene import Scene
+from running import slow
 
 Open = Callable[..., Opened]
 GROUND = (0xF4, 0xF3, 0xEF)
@@ -52,6 +53,7 @@ def test_it_opens_without_a_word_and_asks_for_nothing(opened: Open, run: Result)
     assert len(found.asked) == 1 and found.asked[0].startswith("file://")
 
 
+@pytest.mark.slow
 def test_a_click_on_an_asset_says_what_it_is(opened: Open, run: Result) -> None:
     page = opened(run).page
     card = page.locator("#asset")
@@ -79,6 +81,7 @@ def test_met_and_unmet_statements_look_different(opened: Open, run: Result) -> N
     assert page.locator("#verdict").inner_text().strip().endswith("Not all demands are met")
 
 
+@pytest.mark.slow
 def test_the_keyboard_reaches_everything(opened: Open, run: Result) -> None:
     page = opened(run).page
     reached: list[str] = []
@@ -97,6 +100,7 @@ def test_the_keyboard_reaches_everything(opened: Open, run: Result) -> None:
     assert page.locator("#asset").is_hidden() and focused(page) == "1"
 
 
+@pytest.mark.slow
 def test_arrow_keys_turn_the_room(opened: Open, run: Result) -> None:
     page = opened(run).page
     before = canvas_of(page)
@@ -112,6 +116,7 @@ def changed(before: Image.Image, after: Image.Image) -> float:
     return float((difference > 16).mean())
 
 
+@pytest.mark.slow
 def test_toggles_show_and_hide(opened: Open, run: Result) -> None:
     page = opened(run).page
     before = canvas_of(page)
@@ -149,6 +154,7 @@ def from_above(page) -> None:
     page.wait_for_timeout(700)  # the flight of the eye
 
 
+@pytest.mark.slow
 def test_the_legend_covers_no_furniture(opened: Open, run: Result) -> None:
     page = opened(run).page
     page.locator("[data-layer=reach]").click()
@@ -164,6 +170,7 @@ def test_the_legend_covers_no_furniture(opened: Open, run: Result) -> None:
         page.evaluate("() => (document.getElementById('legend').style.visibility = '')")
 
 
+@pytest.mark.slow
 def test_lamps_are_ghosts_from_above(opened: Open, run: Result) -> None:
     page = opened(run).page
     for layer in ("free", "routes", "labels"):
@@ -176,6 +183,7 @@ def test_lamps_are_ghosts_from_above(opened: Open, run: Result) -> None:
     assert colorful > 0.5, "floor and rug shine through the white lamp"
 
 
+@pytest.mark.slow
 def test_the_layers_of_a_rug_do_not_fight_in_a_large_room(opened: Open, bedroom: Scene) -> None:
     room = replace(bedroom.room, vertices=((0, 0), (14, 0), (14, 12), (0, 12)), windows=())
     rug = replace(bedroom.by_name["rug-0"], description="")
@@ -190,6 +198,7 @@ def test_the_layers_of_a_rug_do_not_fight_in_a_large_room(opened: Open, bedroom:
     assert changed(picture, picture.transpose(Image.Transpose.ROTATE_180)) < 0.06, "a rug looks alike from both ends"
 
 
+@pytest.mark.slow
 def test_the_search_can_be_stepped_through_and_played(opened: Open, run: Result) -> None:
     page = opened(run).page
     slider, moment = page.locator("#step"), page.locator("#moment")
@@ -225,6 +234,7 @@ def test_hostile_text_is_shown_and_does_nothing(opened: Open, strange_run: Resul
     assert page.locator("#assets button").count() == len(strange_run.scene.assets)
 
 
+@pytest.mark.slow
 def test_colours_are_those_of_the_materials(opened: Open, run: Result) -> None:
     """Light takes from a colour and never turns it: hue and, nearly, saturation are those of the sRGB colour."""
     page = opened(run).page
@@ -247,7 +257,7 @@ def test_without_3d_the_figures_remain(opened: Open, run: Result) -> None:
     assert page.locator("#asset code").first.inner_text() == "night_stand-1"
 
 
-@pytest.mark.parametrize(("width", "height"), [(390, 844), (320, 640), (844, 390)])
+@pytest.mark.parametrize(("width", "height"), [slow(390, 844), (320, 640), slow(844, 390)])
 def test_a_phone_needs_no_sideways_scrolling(opened: Open, run: Result, width: int, height: int) -> None:
     page = opened(run, width=width, height=height).page
     assert page.evaluate("() => document.documentElement.scrollWidth") <= width

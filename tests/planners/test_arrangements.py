@@ -11,6 +11,7 @@ from said_rooms import made, of
 
 import robolayout as rl
 from robolayout.run.result import Result
+from running import slow
 
 
 def asked(result: Result) -> dict[str, str]:
@@ -25,6 +26,7 @@ def at_wall(result: Result, name: str) -> int | None:
     return next((i for i in near if math.dist(result.scene.room.walls[i].normal, pose.forward) < 0.1), None)
 
 
+@pytest.mark.slow
 def test_groups_of_desks_stand_apart_from_each_other() -> None:
     result = made("a classroom with six groups of four desks")
     desks = of(result, "student_desk")
@@ -38,6 +40,7 @@ def test_groups_of_desks_stand_apart_from_each_other() -> None:
     assert len({frozenset(group) for group in near.values()}) == 6
 
 
+@pytest.mark.slow
 def test_pews_on_each_side_of_an_aisle_are_two_columns_with_an_aisle() -> None:
     result = made("a chapel with five pews on each side of an aisle, an altar at the front")
     pews = of(result, "pew")
@@ -53,11 +56,11 @@ def test_pews_on_each_side_of_an_aisle_are_two_columns_with_an_aisle() -> None:
     ("text", "kind", "count"),
     [
         ("a bedroom for two children, each with a bed and a desk", "desk", 2),
-        ("a bedroom for two sisters who each have a bed", "single_bed", 2),
-        ("an office where four people work, each at a desk", "desk", 4),
-        ("a restaurant with four round tables with three chairs each in the middle", "chair", 12),
-        ("a lobby with two seating groups each with two armchairs and a side table", "armchair", 4),
-        ("a training room with four tables of six people each facing the projector screen", "dining_table", 4),
+        slow("a bedroom for two sisters who each have a bed", "single_bed", 2),
+        slow("an office where four people work, each at a desk", "desk", 4),
+        slow("a restaurant with four round tables with three chairs each in the middle", "chair", 12),
+        slow("a lobby with two seating groups each with two armchairs and a side table", "armchair", 4),
+        slow("a training room with four tables of six people each facing the projector screen", "dining_table", 4),
     ],
 )
 def test_what_each_of_the_people_has(text: str, kind: str, count: int) -> None:
@@ -67,7 +70,7 @@ def test_what_each_of_the_people_has(text: str, kind: str, count: int) -> None:
 @pytest.mark.parametrize(
     ("text", "kind"),
     [
-        ("a room with six lockers along one wall", "locker"),
+        slow("a room with six lockers along one wall", "locker"),
         ("a hairdresser's with three mirrors on the long wall and a chair in front of each mirror", "mirror"),
         ("an office with three desks along the window wall", "desk"),
     ],
@@ -85,6 +88,7 @@ def test_a_wardrobe_and_a_dresser_on_the_same_wall() -> None:
     assert at_wall(result, "wardrobe-0") == at_wall(result, "dresser-0") is not None
 
 
+@pytest.mark.slow
 def test_shelves_on_all_walls_are_on_each() -> None:
     result = made("a library with four bookshelves on all walls and a reading table")
     assert len({at_wall(result, name) for name in of(result, "bookshelf")} - {None}) == 4
@@ -96,12 +100,13 @@ def test_mirrors_before_which_chairs_stand_leave_room_for_each() -> None:
     assert min(apart) > 0.9
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("text", "table", "seats"),
     [
-        ("a meeting room for twenty people", "conference_table", 20),
+        slow("a meeting room for twenty people", "conference_table", 20),
         ("a conference room for twelve with a long table", "conference_table", 12),
-        ("a dining room with a table and ten chairs", "dining_table", 10),
+        slow("a dining room with a table and ten chairs", "dining_table", 10),
     ],
 )
 def test_all_who_sit_there_have_a_place_at_the_table(text: str, table: str, seats: int) -> None:
@@ -117,14 +122,14 @@ def test_all_who_sit_there_have_a_place_at_the_table(text: str, table: str, seat
 @pytest.mark.parametrize(
     ("text", "kind", "side", "metres"),
     [
-        (
+        slow(
             "a wheelchair-friendly bedroom with a single bed and 1.5 m of free space on the left of the bed",
             "single_bed",
             1,
             1.5,
         ),
         ("a bathroom with a toilet, a sink and 80 cm of clear floor to the right of the toilet", "toilet", -1, 0.8),
-        ("a bedroom with a bed and 90 cm of free space to the right of it", "bed", -1, 0.9),
+        slow("a bedroom with a bed and 90 cm of free space to the right of it", "bed", -1, 0.9),
     ],
 )
 def test_floor_at_a_side_is_free_of_things_and_walls(text: str, kind: str, side: int, metres: float) -> None:
@@ -145,6 +150,7 @@ def test_floor_at_a_side_is_free_of_things_and_walls(text: str, kind: str, side:
                 assert not (over and asset.on_floor and not asset.is_flat), other
 
 
+@pytest.mark.slow
 def test_floor_that_no_layout_has_free_is_unmet() -> None:
     result = rl.generate(
         "a bathroom of 1.8 x 2 m with a toilet, a sink and 1.7 m of free space to the right of the toilet"
@@ -152,6 +158,7 @@ def test_floor_that_no_layout_has_free_is_unmet() -> None:
     assert [words for words, verdict in asked(result).items() if verdict == "unmet"] != []
 
 
+@pytest.mark.slow
 def test_desks_of_a_computer_lab_look_at_the_board_in_straight_rows() -> None:
     result = made(
         "a computer lab with fifteen desks in three rows facing the whiteboard, each with a computer and a chair"
@@ -162,6 +169,7 @@ def test_desks_of_a_computer_lab_look_at_the_board_in_straight_rows() -> None:
     assert yaws in ({1.0}, {-1.0})
 
 
+@pytest.mark.slow
 def test_tables_along_the_windows_stand_at_the_walls_of_windows() -> None:
     result = made("a restaurant with ten tables for two along the windows")
     walls = {window.wall for window in result.scene.room.windows}
@@ -170,6 +178,7 @@ def test_tables_along_the_windows_stand_at_the_walls_of_windows() -> None:
         assert min(away) < 2.0, name
 
 
+@pytest.mark.slow
 def test_armchairs_beside_a_fireplace_and_it_share_a_wall() -> None:
     result = made("a living room: sofa facing the fireplace, an armchair on either side of the fireplace")
     assert result.report.ok
@@ -184,6 +193,7 @@ def test_a_table_with_a_sewing_machine_has_one_chair_and_stands_at_its_window() 
     assert at_wall(result, "dining_table-0") is not None
 
 
+@pytest.mark.slow
 def test_a_shop_that_sells_shoes_is_a_shop() -> None:
     result = made("a small shop selling shoes with racks along three walls and a bench in the middle")
     assert of(result, "shoes") == []

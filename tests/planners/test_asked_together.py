@@ -157,6 +157,7 @@ def test_a_bed_between_night_stands_or_side_tables_keeps_them() -> None:
     assert sum(asset.category == "night stand" for asset in scene.assets) == 2
 
 
+@pytest.mark.slow
 def test_two_sofas_that_face_each_other_stand_straight_with_room_for_the_coffee_table() -> None:
     """Room for knees was measured from the length of the sofas, which then stood askew and 1.6 m from where the planner had them."""
     result = rl.generate("A living room with two sofas facing each other.")

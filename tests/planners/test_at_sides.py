@@ -8,6 +8,7 @@ import pytest
 from said_rooms import at_sides, made, of
 
 from robolayout.run.result import Result
+from running import slow
 
 
 def seen(result: Result, name: str, other: str) -> tuple[float, float]:
@@ -33,9 +34,13 @@ def sides(result: Result, kind: str, table: str) -> set[str]:
 @pytest.mark.parametrize(
     ("text", "kind", "table", "count"),
     [
-        ("a kitchen with an island in the middle and four stools along one side", "bar_stool", "kitchen_island-0", 4),
+        slow(
+            "a kitchen with an island in the middle and four stools along one side", "bar_stool", "kitchen_island-0", 4
+        ),
         ("a dining room with a table and three chairs on the same side of it", "chair", "dining_table-0", 3),
-        ("a meeting room with a table with five chairs along one long side", "office_chair", "conference_table-0", 5),
+        slow(
+            "a meeting room with a table with five chairs along one long side", "office_chair", "conference_table-0", 5
+        ),
     ],
 )
 def test_seats_are_all_at_one_side(text: str, kind: str, table: str, count: int) -> None:
@@ -46,7 +51,7 @@ def test_seats_are_all_at_one_side(text: str, kind: str, table: str, count: int)
     assert min(looks_at(result, name, table) for name in of(result, kind)) > 0.95
 
 
-@pytest.mark.parametrize("kitchen", ["a kitchen", "a dining room"])
+@pytest.mark.parametrize("kitchen", [slow("a kitchen"), "a dining room"])
 def test_a_bench_and_chairs_are_at_two_sides_of_a_table(kitchen: str) -> None:
     result = made(f"{kitchen} with a table, a bench on one side of it and two chairs on the other")
     assert result.report.ok
@@ -56,6 +61,7 @@ def test_a_bench_and_chairs_are_at_two_sides_of_a_table(kitchen: str) -> None:
     assert looks_at(result, "bench-0", "dining_table-0") > 0.95
 
 
+@pytest.mark.slow
 def test_floor_around_it_is_around_what_was_named_last() -> None:
     result = made(
         "a workshop with a drill press in the corner and a table saw in the middle with 1 m of free space around it"
@@ -67,6 +73,7 @@ def test_floor_around_it_is_around_what_was_named_last() -> None:
         assert max(abs(x) - saw[0] / 2, abs(y) - saw[1] / 2) > 1.0
 
 
+@pytest.mark.slow
 def test_a_table_between_them_is_between_what_stands_along_two_walls() -> None:
     result = made(
         "a dorm with three bunk beds along the left wall, three lockers along the right wall and a table with six chairs between them"
@@ -77,6 +84,7 @@ def test_a_table_between_them_is_between_what_stands_along_two_walls() -> None:
     assert len(of(result, "chair")) == 6
 
 
+@pytest.mark.slow
 def test_a_small_table_with_tissues_is_midway_between_two_armchairs() -> None:
     result = made(
         "a room with two armchairs facing each other 1.5 m apart and a box of tissues on a small table between them"
@@ -92,6 +100,7 @@ def test_a_small_table_with_tissues_is_midway_between_two_armchairs() -> None:
     assert math.dist(one.at, two.at) - deep == pytest.approx(1.5, abs=0.2)
 
 
+@pytest.mark.slow
 def test_each_of_some_chairs_that_face_mirrors_has_its_own() -> None:
     result = made("a hair salon with four styling chairs facing mirrors along one wall")
     assert result.report.ok
@@ -101,6 +110,7 @@ def test_each_of_some_chairs_that_face_mirrors_has_its_own() -> None:
     assert sorted(before) == sorted(mirrors)
 
 
+@pytest.mark.slow
 def test_what_stands_back_to_back_in_pairs_is_asked_once() -> None:
     result = made("a library with six bookcases back to back in pairs")
     assert result.report.ok
@@ -114,6 +124,7 @@ def test_what_is_opposite_is_opposite_what_was_named_before() -> None:
     assert ahead > 0.8 > abs(aside)
 
 
+@pytest.mark.slow
 def test_none_of_some_tables_is_closer_to_the_door_than_is_said() -> None:
     result = made("a cafe with five round tables with two chairs each, none closer than 1.5 m to the door")
     assert result.report.ok
@@ -124,6 +135,7 @@ def test_none_of_some_tables_is_closer_to_the_door_than_is_said() -> None:
     assert min(math.dist(result.layout[name].at, door) for name in of(result, "round_table")) > 1.45 + half
 
 
+@pytest.mark.slow
 def test_left_of_a_board_is_left_for_who_looks_at_it() -> None:
     result = made(
         "a classroom with a whiteboard, a teacher's desk to the left of the whiteboard and six desks facing it"
@@ -145,6 +157,7 @@ def test_the_opposite_wall_is_across_from_the_door_that_was_named() -> None:
     assert inward[0] * forward[0] + inward[1] * forward[1] < -0.99
 
 
+@pytest.mark.slow
 def test_rows_of_a_large_warehouse_stand_as_asked_for_a_small_robot_too() -> None:
     result = made("a warehouse with four rows of pallet racks 2.5 m apart for a robot")
     assert result.report.agents[0].agent.reach_distance is None
@@ -173,6 +186,7 @@ def test_mats_for_prayer_lie_in_rows_and_look_where_they_are_told() -> None:
     assert min(math.sin(mat.yaw) for mat in mats) > 0.99
 
 
+@pytest.mark.slow
 def test_cushions_around_low_tables_and_on_a_rug_lie_on_the_floor() -> None:
     result = made("a tea room with four low tables, each with four cushions around it")
     assert result.report.ok
@@ -185,6 +199,7 @@ def test_cushions_around_low_tables_and_on_a_rug_lie_on_the_floor() -> None:
     assert of(made("a playroom with a rug with cushions in the corner"), "floor_cushion")
 
 
+@pytest.mark.slow
 def test_a_mattress_is_the_bed_and_a_small_table_for_two_is_sat_at() -> None:
     attic = made("an attic bedroom with a mattress on the floor in the middle of the room")
     assert not [name for name in attic.layout if name.startswith(("bed-", "double_bed", "single_bed"))]
@@ -198,7 +213,7 @@ def test_a_mattress_is_the_bed_and_a_small_table_for_two_is_sat_at() -> None:
     [
         ("a bedroom with a bed and two matching nightstands either side", "night_stand", 2),
         ("a dining room with a table and six chairs around", "chair", 6),
-        ("a cafe with tables for two along the window", "chair", 4),
+        slow("a cafe with tables for two along the window", "chair", 4),
     ],
 )
 def test_what_is_said_without_its_object_is_there(text: str, kind: str, count: int) -> None:
@@ -208,6 +223,7 @@ def test_what_is_said_without_its_object_is_there(text: str, kind: str, count: i
     assert all(row.verdict in ("met", "not judged") for row in result.report.asked)
 
 
+@pytest.mark.slow
 def test_what_is_left_and_right_on_a_desk_is_so_for_who_sits_there() -> None:
     result = made("a study with a desk with a lamp on the left, a computer in the middle and books on the right")
     assert result.report.ok
@@ -215,6 +231,7 @@ def test_what_is_left_and_right_on_a_desk_is_so_for_who_sits_there() -> None:
     assert all(looks_at(result, name, "desk-0") > 0.9 for name in of(result, "office_chair"))
 
 
+@pytest.mark.slow
 def test_two_chairs_opposite_stand_side_by_side_and_a_told_distance_ahead_is_kept() -> None:
     result = made("a living room with a sofa, two chairs opposite and a table in between")
     assert result.report.ok
@@ -225,6 +242,7 @@ def test_two_chairs_opposite_stand_side_by_side_and_a_told_distance_ahead_is_kep
     assert seen(far, "sofa-0", "tv_stand-0")[0] - deep == pytest.approx(2.5, abs=0.35)
 
 
+@pytest.mark.slow
 def test_rooms_that_nobody_names_are_what_their_things_say() -> None:
     lounge = made("There is a sofa in the middle of the room. In front of it is a coffee table.")
     assert of(lounge, "tv_stand")
@@ -233,6 +251,7 @@ def test_rooms_that_nobody_names_are_what_their_things_say() -> None:
     assert not of(work, "server_rack")
 
 
+@pytest.mark.slow
 def test_chairs_on_all_sides_and_things_on_opposite_walls() -> None:
     dining = made("a dining room with a table and chairs on all sides")
     assert dining.report.ok

@@ -11,41 +11,42 @@ import pytest
 from said_rooms import made, of
 
 from robolayout.run.result import Result
+from running import slow
 
 SENTENCES = (
-    "a living room with two sofas facing each other and a fireplace",
+    slow("a living room with two sofas facing each other and a fireplace"),
     "a living room with a TV stand between two bookshelves",
-    "a living room with two armchairs in front of the TV",
+    slow("a living room with two armchairs in front of the TV"),
     "a living room with an L-shaped sofa, two poufs and a floor lamp behind the sofa",
     "a bedroom with a bed between two wardrobes",
     "a bedroom with a dressing table, a stool in front of it and a mirror above it",
     "a bedroom with a night stand between two single beds",
     "a bedroom with a desk and chair in the left corner and a bed in the right corner",
-    "a hotel room with two queen beds, a desk, a TV and a luggage rack",
+    slow("a hotel room with two queen beds, a desk, a TV and a luggage rack"),
     "a guest room with a single bed and a small desk",
     "a nursery with a crib, a changing table, a rocking chair and a toy chest",
     "a bathroom with a bathtub, a toilet, a sink and a mirror above the sink",
     "a bathroom with a sink between two cabinets",
-    "a dining table with eight chairs, and a chandelier above it",
-    "a cafe with five round tables, each with two chairs, and a counter",
-    "a study with two desks side by side facing the wall",
+    slow("a dining table with eight chairs, and a chandelier above it"),
+    slow("a cafe with five round tables, each with two chairs, and a counter"),
+    slow("a study with two desks side by side facing the wall"),
     "an office with a desk between two filing cabinets",
-    "a gym with three treadmills side by side facing the window",
-    "a classroom with twelve desks facing the whiteboard",
+    slow("a gym with three treadmills side by side facing the window"),
+    slow("a classroom with twelve desks facing the whiteboard"),
     "a science lab with three lab benches and six stools",
-    "a church with ten pews facing an altar",
+    slow("a church with ten pews facing an altar"),
     "a hallway with a shoe rack, a coat rack and a bench",
     "a dressing room with a vanity, a stool and three wardrobes in a row",
     "a shop with four clothing racks, a checkout counter near the door and a mirror",
     "a reception with a bench, a coffee machine and a plant in each corner",
-    "a kitchen with a breakfast bar and four stools, and a fridge beside the stove",
+    slow("a kitchen with a breakfast bar and four stools, and a fridge beside the stove"),
     "a home office with a desk by the window, a chair and two bookshelves on the opposite wall",
-    "a meeting room with a table and eight chairs by the window",
+    slow("a meeting room with a table and eight chairs by the window"),
     "a living room with a sofa under the window, a TV on the opposite wall and a coffee table in between",
     "a living room with three bookshelves in a row along the back wall and a reading chair next to them",
-    "a gym with five treadmills in a row facing the mirrors",
-    "a computer lab with twelve computers in three rows and a teacher's desk in front",
-    "a classroom with twenty desks and a teacher's desk",
+    slow("a gym with five treadmills in a row facing the mirrors"),
+    slow("a computer lab with twelve computers in three rows and a teacher's desk in front"),
+    slow("a classroom with twenty desks and a teacher's desk"),
 )
 
 
@@ -84,7 +85,7 @@ def test_what_is_between_two_of_a_kind_has_its_back_to_their_wall(text: str, out
 @pytest.mark.parametrize(
     ("text", "kind", "rows"),
     [
-        ("a cinema with twenty seats facing the screen", "theater_seat", 4),
+        slow("a cinema with twenty seats facing the screen", "theater_seat", 4),
         ("a classroom with twelve desks facing the whiteboard", "student_desk", 3),
         ("a church with ten pews facing an altar", "pew", 5),
     ],
@@ -98,6 +99,7 @@ def test_a_crowd_looks_one_way_in_straight_rows(text: str, kind: str, rows: int)
     assert len({round(along(result, name, crowd[0]), 1) for name in crowd}) == rows
 
 
+@pytest.mark.slow
 def test_seats_before_a_fireplace_look_at_it() -> None:
     result = made("a living room with a fireplace and two armchairs in front of the fireplace")
     (fire,) = of(result, "fireplace")
@@ -121,6 +123,7 @@ def test_stools_stand_at_the_bar_and_shelves_across_from_the_window() -> None:
     assert all(math.cos(office.layout[n].yaw - office.layout[desk].yaw) < -0.99 for n in of(office, "bookshelf"))
 
 
+@pytest.mark.slow
 def test_a_bed_in_a_corner_has_one_night_stand_and_tables_in_pairs_no_rug() -> None:
     assert len(of(made("a bedroom with the bed in the corner"), "night_stand")) == 1
     assert of(made("a library with two reading tables with four chairs each"), "rug") == []
@@ -134,12 +137,14 @@ def test_cushions_lie_around_a_low_table() -> None:
     assert max(away) < 1.0
 
 
+@pytest.mark.slow
 def test_every_desk_of_an_internet_cafe_and_every_table_has_chairs() -> None:
     result = made("an internet cafe with ten computer desks in two rows back to back")
     assert len(of(result, "office_chair")) == 10
     assert len(of(result, "chair")) >= 2 * len(of(result, "round_table"))
 
 
+@pytest.mark.slow
 def test_a_rug_lies_under_both_of_two_armchairs_that_face_each_other() -> None:
     result = made("a reading room with two armchairs facing each other with a small table between them")
     (rug,) = of(result, "rug")
@@ -149,11 +154,13 @@ def test_a_rug_lies_under_both_of_two_armchairs_that_face_each_other() -> None:
         assert max(abs(x) - depth / 2, abs(y) - width / 2) < 0.0, chair
 
 
+@pytest.mark.slow
 def test_nobody_watches_from_sofas_that_face_each_other() -> None:
     result = made("a living room with two sofas facing each other, a coffee table and a rug")
     assert of(result, "television") == of(result, "tv_stand") == []
 
 
+@pytest.mark.slow
 def test_a_television_hangs_right_above_a_fireplace() -> None:
     result = made("a living room with a sofa, TV above the fireplace")
     ahead, left = result.layout["fireplace-0"].seen(result.layout["television-0"].at)
@@ -170,6 +177,7 @@ def test_a_night_stand_between_two_beds_is_at_their_heads() -> None:
         assert along(result, bed, stand) == pytest.approx(deeper / 2, abs=0.05)
 
 
+@pytest.mark.slow
 def test_barber_chairs_stand_in_a_row_before_their_mirrors() -> None:
     result = made("a barber shop with three barber chairs, mirrors and a waiting bench")
     chairs = of(result, "salon_chair")
@@ -188,6 +196,7 @@ def test_two_basins_stand_side_by_side() -> None:
     assert abs(left) < result.scene.by_name[one].size[1] + 0.1
 
 
+@pytest.mark.slow
 def test_a_bar_along_the_window_has_its_back_to_its_wall() -> None:
     result = made("a small kitchen with a breakfast bar along the window")
     (bar,) = of(result, "kitchen_island")
@@ -196,6 +205,7 @@ def test_a_bar_along_the_window_has_its_back_to_its_wall() -> None:
     assert max(x * forward[0] + y * forward[1] for x, y in normals) > 0.99
 
 
+@pytest.mark.slow
 def test_pupils_leave_room_before_the_desk_of_their_teacher() -> None:
     result = made("a classroom with twelve desks, a whiteboard and a teacher's desk")
     (teacher,) = of(result, "teacher_desk")
@@ -204,6 +214,7 @@ def test_pupils_leave_room_before_the_desk_of_their_teacher() -> None:
     assert min(-along(result, desk, teacher) for desk in pupils) - deep > 0.5
 
 
+@pytest.mark.slow
 def test_rows_of_chairs_look_at_the_wall_of_the_screen() -> None:
     result = made("a lecture room with five rows of chairs, a lectern and a screen")
     wall = result.layout["projection_screen-0"].forward
@@ -212,6 +223,7 @@ def test_rows_of_chairs_look_at_the_wall_of_the_screen() -> None:
         assert forward[0] * wall[0] + forward[1] * wall[1] < -0.99, chair
 
 
+@pytest.mark.slow
 def test_where_all_sit_around_a_coffee_table_no_sofa_takes_their_place() -> None:
     result = made("a lounge with three armchairs around a coffee table and a rug")
     assert result.report.ok

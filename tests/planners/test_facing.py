@@ -10,6 +10,7 @@ from said_rooms import made, of
 
 from robolayout.run.result import Result
 from robolayout.scene.room import Wall
+from running import slow
 
 
 def cosine(result: Result, name: str, at: tuple[float, float]) -> float:
@@ -33,6 +34,7 @@ def gap(result: Result, a: str, b: str) -> float:
     return max(abs(x) - (da + (wb if turned else db)) / 2, abs(y) - (wa + (db if turned else wb)) / 2)
 
 
+@pytest.mark.slow
 def test_two_desks_that_face_the_window_stand_side_by_side_before_it() -> None:
     result = made("an office with two desks facing the window and a sofa behind them")
     assert result.report.ok
@@ -45,6 +47,7 @@ def test_two_desks_that_face_the_window_stand_side_by_side_before_it() -> None:
     assert gap(result, "desk-0", "sofa-0") > 0.6  # the chair is between
 
 
+@pytest.mark.slow
 def test_shelves_behind_a_desk_that_faces_the_door_are_behind_who_sits_there() -> None:
     result = made("a study with a desk in the middle of the room facing the door and two bookshelves behind it")
     assert result.report.ok
@@ -54,6 +57,7 @@ def test_shelves_behind_a_desk_that_faces_the_door_are_behind_who_sits_there() -
     assert gap(result, "bookshelf-0", "bookshelf-1") < 0.6
 
 
+@pytest.mark.slow
 def test_who_sits_behind_a_reception_desk_looks_at_the_door_across_it() -> None:
     result = made("a reception with a desk facing the door and three chairs behind it")
     door = result.scene.room.doors[0]
@@ -63,12 +67,13 @@ def test_who_sits_behind_a_reception_desk_looks_at_the_door_across_it() -> None:
         assert math.dist(result.layout[name].at, at) > math.dist(result.layout["reception_desk-0"].at, at)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("text", "kind", "rows", "metres"),
     [
         ("a warehouse with four rows of racks, aisles 1.5 m wide", "pallet_rack", 4, 1.5),
-        ("a library with bookshelves in three rows, 1.2 m apart", "bookshelf", 3, 1.2),
-        ("an office with twelve desks in three rows at least 1.5 m apart", "desk", 3, 1.5),
+        slow("a library with bookshelves in three rows, 1.2 m apart", "bookshelf", 3, 1.2),
+        slow("an office with twelve desks in three rows at least 1.5 m apart", "desk", 3, 1.5),
     ],
 )
 def test_rows_are_as_far_apart_as_is_said(text: str, kind: str, rows: int, metres: float) -> None:
@@ -83,6 +88,7 @@ def test_rows_are_as_far_apart_as_is_said(text: str, kind: str, rows: int, metre
     assert min(b - a for a, b in pairwise(lines)) - depth > metres - 0.15
 
 
+@pytest.mark.slow
 def test_desks_of_which_each_is_so_far_from_the_next_are_apart_on_all_sides() -> None:
     result = made("an exam hall with twenty desks, each 1.2 m from the next")
     assert result.report.ok
@@ -95,8 +101,8 @@ def test_desks_of_which_each_is_so_far_from_the_next_are_apart_on_all_sides() ->
     ("text", "name", "kind", "looks"),
     [
         ("a bedroom where the bed does not face the door", "bed-0", "doors", 1.0),
-        ("a living room with a sofa and a TV that does not face the window", "television-0", "windows", 1.0),
-        ("A bedroom with a bed and a desk, and the desk must not face the window.", "desk-0", "windows", -1.0),
+        slow("a living room with a sofa and a TV that does not face the window", "television-0", "windows", 1.0),
+        slow("A bedroom with a bed and a desk, and the desk must not face the window.", "desk-0", "windows", -1.0),
     ],
 )
 def test_what_is_not_to_face_an_opening_looks_at_none_of_their_walls(
@@ -113,8 +119,8 @@ def test_what_is_not_to_face_an_opening_looks_at_none_of_their_walls(
     ("text", "beds", "pets"),
     [
         ("a room for a cat with a scratching post near the window and two beds", 0, 2),
-        ("a bedroom with a bed for the dog at the foot of the bed", 1, 1),
-        ("a living room with a sofa, a TV and a bed for the dog next to the sofa", 0, 1),
+        slow("a bedroom with a bed for the dog at the foot of the bed", 1, 1),
+        slow("a living room with a sofa, a TV and a bed for the dog next to the sofa", 0, 1),
     ],
 )
 def test_beds_of_pets_are_no_beds(text: str, beds: int, pets: int) -> None:
@@ -128,14 +134,15 @@ def test_a_bed_between_two_windows_has_its_night_stands_beside_it() -> None:
         assert gap(result, "bed-0", name) < 0.4
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("text", "kind", "count"),
     [
-        ("a classroom with rows of desks", "student_desk", 12),
+        slow("a classroom with rows of desks", "student_desk", 12),
         ("a bar with six stools at the counter and three high tables each with four stools", "bar_stool", 18),
-        ("a game room with a pool table in the middle, at least 1.5 m free on all sides", "pool_table", 1),
-        ("a library with four armchairs in pairs and a small table between each pair", "side_table", 2),
-        ("a tiny 2.5 by 3 m bedroom with a single bed, a desk and a wardrobe", "table_lamp", 1),
+        slow("a game room with a pool table in the middle, at least 1.5 m free on all sides", "pool_table", 1),
+        slow("a library with four armchairs in pairs and a small table between each pair", "side_table", 2),
+        slow("a tiny 2.5 by 3 m bedroom with a single bed, a desk and a wardrobe", "table_lamp", 1),
     ],
 )
 def test_there_are_no_more_and_no_less(text: str, kind: str, count: int) -> None:
@@ -165,6 +172,7 @@ def test_floor_on_all_sides_of_a_table_is_free() -> None:
         assert not (before or beside), name
 
 
+@pytest.mark.slow
 def test_a_teacher_at_the_front_looks_at_the_pupils_and_has_the_board_behind() -> None:
     result = made("a classroom with a teacher's desk at the front facing twelve student desks")
     assert result.report.ok
@@ -175,11 +183,13 @@ def test_a_teacher_at_the_front_looks_at_the_pupils_and_has_the_board_behind() -
     assert cosine(result, "teacher_desk-0", middle) < -0.9  # over its back
 
 
+@pytest.mark.slow
 def test_a_sofa_opposite_looks_at_what_was_named_before() -> None:
     result = made("a living room with the TV above the fireplace and a sofa opposite")
     assert cosine(result, "sofa-0", result.layout["fireplace-0"].at) > 0.95
 
 
+@pytest.mark.slow
 def test_mats_of_a_yoga_studio_lie_beside_each_other() -> None:
     result = made("a yoga studio with nine mats in three rows and an instructor's mat facing them")
     mats = of(result, "yoga_mat")
@@ -196,6 +206,7 @@ def test_a_desk_before_the_window_that_faces_the_room_has_its_own_seat_behind_an
     assert max(cosine(result, "desk-0", result.layout[name].at) for name in visitors) < -0.7
 
 
+@pytest.mark.slow
 def test_each_pair_that_faces_each_other_has_its_table_between() -> None:
     result = made("a hotel lobby with three pairs of armchairs, each pair facing each other across a small table")
     assert result.report.ok
@@ -206,6 +217,7 @@ def test_each_pair_that_faces_each_other_has_its_table_between() -> None:
         assert math.dist((x, y), ((x0 + x1) / 2, (y0 + y1) / 2)) < 0.35
 
 
+@pytest.mark.slow
 def test_racks_with_an_aisle_between_them_face_each_other_across_it() -> None:
     result = made("a server room with two rows of four racks facing each other with a 1.2 m aisle between them")
     assert result.report.ok
@@ -222,7 +234,7 @@ def test_racks_with_an_aisle_between_them_face_each_other_across_it() -> None:
     [
         ("A chapel with an altar and fifteen chairs facing the altar", "altar"),
         ("A room with a projection screen and ten chairs facing the screen", "projection_screen"),
-        ("A classroom with a teacher desk and twelve chairs facing it", "teacher_desk"),
+        slow("A classroom with a teacher desk and twelve chairs facing it", "teacher_desk"),
     ],
 )
 def test_a_crowd_that_faces_something_sits_in_rows_before_it(text: str, to: str) -> None:
@@ -235,6 +247,7 @@ def test_a_crowd_that_faces_something_sits_in_rows_before_it(text: str, to: str)
     assert "pew-0" not in run.layout
 
 
+@pytest.mark.slow
 def test_pupils_look_at_their_teacher() -> None:
     run = made("a classroom with ten desks facing the teacher's desk")
     turn = run.layout["student_desk-0"].yaw - run.layout["teacher_desk-0"].yaw

@@ -11,6 +11,7 @@ from robolayout.scene import Asset, Opening, Room, Scene
 SENTENCE = "a bedroom for two children with a bunk bed, desks and a reading corner, 4 x 5 m, for a wheelchair user"
 
 
+@pytest.mark.slow
 def test_mirror_and_picture_both_hang_where_a_wheelchair_user_gets_to_them() -> None:
     scene, _ = scene_from_sentence(SENTENCE)
     report = rl.generate(scene).report
@@ -59,6 +60,7 @@ def test_a_column_is_a_part_of_the_house_that_nobody_uses() -> None:
     assert report.agents[0].usage.uses["column-0"].stand is None
 
 
+@pytest.mark.slow
 def test_a_screen_hangs_high_enough_for_what_is_asked_to_stand_under_it() -> None:
     text = (
         "A meeting room for ten with a screen on the short wall and a sideboard under it, whiteboard on the other wall."

@@ -8,6 +8,7 @@ import pytest
 from said_rooms import made, of
 
 from robolayout.run.result import Result
+from running import slow
 
 
 def walls_of(result: Result, kind: str) -> list[int]:
@@ -30,8 +31,8 @@ def walls_of(result: Result, kind: str) -> list[int]:
     [
         ("an L-shaped kitchen", 2, {1, 3}),
         ("a galley kitchen", 2, {2}),
-        ("a U-shaped kitchen", 3, {1, 2, 3}),
-        ("a one-wall kitchen", 1, {0}),
+        slow("a U-shaped kitchen", 3, {1, 2, 3}),
+        slow("a one-wall kitchen", 1, {0}),
     ],
 )
 def test_the_name_of_a_kitchen_says_where_its_counters_are(text: str, walls: int, apart: set[int]) -> None:
@@ -58,7 +59,8 @@ def test_adjoining_walls_meet() -> None:
     assert abs(one - other) in (1, 3)
 
 
-@pytest.mark.parametrize("text", ["a kitchen open to the living room", "a living room that opens to the kitchen"])
+@pytest.mark.slow
+@pytest.mark.parametrize("text", [slow("a kitchen open to the living room"), "a living room that opens to the kitchen"])
 def test_a_room_that_opens_to_another_has_what_both_have(text: str) -> None:
     result = made(text)
     assert result.report.ok and of(result, "stove") and of(result, "sofa")
@@ -66,7 +68,7 @@ def test_a_room_that_opens_to_another_has_what_both_have(text: str) -> None:
 
 @pytest.mark.parametrize(
     ("text", "chairs"),
-    [("a kitchen-diner", 4), ("an eat-in kitchen", 4), ("a kitchen-diner with a table for six", 6)],
+    [slow("a kitchen-diner", 4), ("an eat-in kitchen", 4), ("a kitchen-diner with a table for six", 6)],
 )
 def test_one_eats_in_a_kitchen_diner(text: str, chairs: int) -> None:
     result = made(text)
@@ -84,8 +86,8 @@ def test_one_eats_in_a_kitchen_diner(text: str, chairs: int) -> None:
         ("a nursery for twins", "crib", 2),
         ("a yoga studio for eight", "yoga_mat", 8),
         ("a yoga studio", "yoga_mat", 4),
-        ("a coworking space for ten", "desk", 10),
-        ("a bar with six stools", "bar_stool", 6),
+        slow("a coworking space for ten", "desk", 10),
+        slow("a bar with six stools", "bar_stool", 6),
         ("a laundry room with a folding table", "chair", 0),
     ],
 )
@@ -110,33 +112,33 @@ def test_dumbbells_do_not_lie_on_a_rack_that_is_full() -> None:
 @pytest.mark.parametrize(
     ("text", "counts"),
     [
-        ("a classroom with desks", {"student_desk": 12}),
+        slow("a classroom with desks", {"student_desk": 12}),
         ("a classroom with desks in pairs", {"student_desk": 12}),
         ("a classroom with two desks", {"student_desk": 2}),
         ("a cafe with tables", {"round_table": 4}),
-        ("a church with pews", {"pew": 8}),
-        ("a library with bookshelves", {"bookshelf": 8}),
-        ("an open office with desks", {"desk": 6}),
-        ("a conference room with chairs along the wall", {"office_chair": 2}),
+        slow("a church with pews", {"pew": 8}),
+        slow("a library with bookshelves", {"bookshelf": 8}),
+        slow("an open office with desks", {"desk": 6}),
+        slow("a conference room with chairs along the wall", {"office_chair": 2}),
         ("a study with a desk and two chairs", {"monitor": 1}),
-        ("an office with a desk and two guest chairs", {"guest_chair": 2}),
+        slow("an office with a desk and two guest chairs", {"guest_chair": 2}),
         ("an office with a desk and two guest chairs", {"office_chair": 1}),
-        ("a classroom with desks for 20 students", {"student_desk": 20, "chair": 20}),
-        ("an office with desks for six", {"desk": 6, "office_chair": 6, "monitor": 6}),
-        ("a waiting room with seats for 20", {"seat": 20, "chair": 0}),
-        ("a cinema with seats for 40", {"theater_seat": 40, "chair": 0}),
-        ("a cafe with tables for 20", {"round_table": 10, "chair": 20}),
-        ("a restaurant with tables for 30 guests", {"dining_table": 8, "chair": 32}),
-        ("a church with pews for 60", {"pew": 20, "chair": 0}),
-        ("a bedroom with beds for three", {"bed": 3, "chair": 0}),
-        ("a yoga studio with mats for ten", {"yoga_mat": 10}),
-        ("a living room with a sofa for four", {"sofa": 1, "chair": 0}),
-        ("a library with tables for 12", {"dining_table": 2, "chair": 12}),
-        ("a dining room seating ten", {"dining_table": 1, "chair": 10}),
-        ("a conference room with seating for 12", {"office_chair": 12}),
-        ("a classroom with two dozen desks", {"student_desk": 24}),
+        slow("a classroom with desks for 20 students", {"student_desk": 20, "chair": 20}),
+        slow("an office with desks for six", {"desk": 6, "office_chair": 6, "monitor": 6}),
+        slow("a waiting room with seats for 20", {"seat": 20, "chair": 0}),
+        slow("a cinema with seats for 40", {"theater_seat": 40, "chair": 0}),
+        slow("a cafe with tables for 20", {"round_table": 10, "chair": 20}),
+        slow("a restaurant with tables for 30 guests", {"dining_table": 8, "chair": 32}),
+        slow("a church with pews for 60", {"pew": 20, "chair": 0}),
+        slow("a bedroom with beds for three", {"bed": 3, "chair": 0}),
+        slow("a yoga studio with mats for ten", {"yoga_mat": 10}),
+        slow("a living room with a sofa for four", {"sofa": 1, "chair": 0}),
+        slow("a library with tables for 12", {"dining_table": 2, "chair": 12}),
+        slow("a dining room seating ten", {"dining_table": 1, "chair": 10}),
+        slow("a conference room with seating for 12", {"office_chair": 12}),
+        slow("a classroom with two dozen desks", {"student_desk": 24}),
         ("half a dozen stools at the bar", {"bar_stool": 6}),
-        ("a call center for 20 agents", {"desk": 20}),
+        slow("a call center for 20 agents", {"desk": 20}),
         ("a bedroom for a family of four", {"single_bed": 4}),
     ],
 )

@@ -10,6 +10,7 @@ from robolayout.program import read_program, reconcile
 from robolayout.scene import Layout, Scene, load_scene, scene_from_dict
 from robolayout.solve import compile_problem
 from robolayout.verify import verify
+from running import slow
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 PLANNER = OfflinePlanner()
@@ -41,7 +42,8 @@ def asset(category: str, size: tuple[float, float, float], flag: str = "onFloor"
     return {"category": category, "description": description, **flags, "assetMetadata": {"boundingBox": box}}
 
 
-@pytest.mark.parametrize("name", ["bedroom", "living_room", "dining_room", "studio"])
+@pytest.mark.slow
+@pytest.mark.parametrize("name", [slow("bedroom"), slow("living_room"), "dining_room", slow("studio")])
 def test_examples_are_good_before_anything_is_solved(name: str) -> None:
     scene = load_scene(EXAMPLES / f"{name}.json")
     text = PLANNER.plan(PlanRequest(scene))
@@ -78,6 +80,7 @@ def test_plates_lie_before_their_chairs_and_face_as_the_guest_does() -> None:
         assert plate.forward == pytest.approx(chair.forward, abs=0.01)
 
 
+@pytest.mark.slow
 def test_the_sofa_looks_at_the_television() -> None:
     scene = load_scene(EXAMPLES / "living_room.json")
     layout = built(scene, PLANNER.plan(PlanRequest(scene)))
@@ -128,6 +131,7 @@ def test_hostile_descriptions_never_enter_the_program() -> None:
     assert read_program(text, scene).statements
 
 
+@pytest.mark.slow
 def test_a_group_is_planned_around_what_stands_already() -> None:
     scene = load_scene(EXAMPLES / "bedroom.json")
     groups = PLANNER.group(scene)
@@ -156,6 +160,7 @@ def test_groups_hold_everything_once_structural_first_decorative_last() -> None:
     assert json.dumps(sleeping.to_dict())
 
 
+@pytest.mark.slow
 def test_another_seed_leads_to_another_room() -> None:
     scene = load_scene(EXAMPLES / "bedroom.json")
     text = PLANNER.plan(PlanRequest(scene))

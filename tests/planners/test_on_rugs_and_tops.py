@@ -15,6 +15,7 @@ import robolayout as rl
 from robolayout.planners import scene_from_sentence
 from robolayout.run.result import Result
 from robolayout.words import read_text, read_words
+from running import slow
 
 
 def foot(result: Result, name: str) -> shapely.Polygon:
@@ -23,11 +24,12 @@ def foot(result: Result, name: str) -> shapely.Polygon:
     return shapely.affinity.translate(box, pose.x, pose.y)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("text", "kind", "rug"),
     [
-        ("a library with a reading rug in the middle and five floor cushions on it", "floor_cushion", "rug-0"),
-        ("a kindergarten with a round rug and twelve floor cushions on it", "floor_cushion", "round_rug-0"),
+        slow("a library with a reading rug in the middle and five floor cushions on it", "floor_cushion", "rug-0"),
+        slow("a kindergarten with a round rug and twelve floor cushions on it", "floor_cushion", "round_rug-0"),
         ("a playroom with four bean bags on a rug", "bean_bag", "rug-0"),
     ],
 )
@@ -42,6 +44,7 @@ def test_seats_on_a_rug_stand_in_a_ring_on_it(text: str, kind: str, rug: str) ->
     )
 
 
+@pytest.mark.slow
 def test_armchairs_on_a_rug_are_around_the_coffee_table_without_a_sofa_that_nobody_asked_for() -> None:
     result = made("a lounge with four armchairs on a round rug by the window")
     table = shapely.Point(result.layout["coffee_table-0"].at)
@@ -65,6 +68,7 @@ def test_of_two_kinds_on_each_of_several_each_has_one_of_both() -> None:
         assert sorted(a.rsplit("-", 1)[0] for a, b in on if b == desk) == ["keyboard", "monitor"]
 
 
+@pytest.mark.slow
 def test_all_of_a_row_that_fits_before_a_counter_are_before_it() -> None:
     result = made("a sushi bar with a counter and eight stools lined up in front of the counter")
     counter = result.layout["kitchen_counter-0"]
@@ -74,6 +78,7 @@ def test_all_of_a_row_that_fits_before_a_counter_are_before_it() -> None:
     )
 
 
+@pytest.mark.slow
 def test_a_loveseat_at_a_right_angle_shares_the_coffee_table_that_is_in_the_middle_of_both() -> None:
     result = made(
         "a living room with a TV, a sofa opposite the TV, a loveseat at a right angle to the sofa "
@@ -89,14 +94,17 @@ def test_a_loveseat_at_a_right_angle_shares_the_coffee_table_that_is_in_the_midd
     "text",
     [
         "a storage room with three shelves along the wall and six cardboard boxes on the shelves",
-        "a toy store with ten shelves in rows and three teddy bears on one of the shelves",
-        "two armchairs before a fireplace with a small side table between them, a book stack and a cup on the side table",
+        slow("a toy store with ten shelves in rows and three teddy bears on one of the shelves"),
+        slow(
+            "two armchairs before a fireplace with a small side table between them, a book stack and a cup on the side table"
+        ),
     ],
 )
 def test_several_on_a_top_that_holds_them_stand_side_by_side(text: str) -> None:
     assert made(text).report.ok
 
 
+@pytest.mark.slow
 def test_shelves_in_rows_are_rows_and_no_strays() -> None:
     result = made("a toy store with ten shelves in rows")
     first = result.layout["shop_shelf-0"]
@@ -111,13 +119,14 @@ def test_who_has_a_laptop_has_no_monitor_besides() -> None:
     assert [found.count("monitor") for found in kinds] == [found.count("keyboard") for found in kinds] == [0, 1]
 
 
-@pytest.mark.parametrize("seed", [0, 1, 2])
+@pytest.mark.parametrize("seed", [0, slow(1), slow(2)])
 def test_no_window_is_where_a_screen_hangs_at_the_head_of_a_table(seed: int) -> None:
     result = rl.generate("a boardroom, 8 x 5 m, with a TV on the wall at the head of the table", seed=seed)
     room = result.scene.room
     assert {room.walls[one.wall].length for one in room.windows} == {8.0} and result.report.ok
 
 
+@pytest.mark.slow
 def test_a_coffee_table_in_the_middle_of_the_room_keeps_its_sofa_before_it() -> None:
     run = rl.generate("A living room with a sofa and a coffee table in the middle of the room", seed=0)
     sofa, table = run.layout["sofa-0"], run.layout["coffee_table-0"]
@@ -136,6 +145,7 @@ def test_a_rug_in_the_middle_of_the_room_lies_under_its_coffee_table() -> None:
     assert foot(run, "coffee_table-0").difference(foot(run, "rug-0")).area < 0.05
 
 
+@pytest.mark.slow
 def test_a_television_in_the_corner_lets_its_sofa_stand_off_its_middle() -> None:
     run = rl.generate("A living room with the TV in the corner", seed=0)
     sofa, screen = run.layout["sofa-0"], run.layout["television-0"]
@@ -162,6 +172,7 @@ def test_what_is_before_each_seat_stands_on_the_table_of_that_seat() -> None:
     assert all(table.contains(foot(run, f"microphone-{i}")) for i in range(4)) and run.report.ok
 
 
+@pytest.mark.slow
 def test_a_camera_stands_on_a_tripod() -> None:
     run = rl.generate("A photo studio with an armchair and a camera on a tripod in front of the armchair")
     assert run.report.ok and foot(run, "tripod-0").contains(foot(run, "camera-0"))
@@ -172,6 +183,7 @@ def test_a_table_is_not_as_long_as_chairs_in_rows_need() -> None:
     assert max(scene.by_name["dining_table-0"].size) < 2.0
 
 
+@pytest.mark.slow
 def test_desks_in_a_row_have_room_for_the_partitions_between_them() -> None:
     run = rl.generate("An office with four desks in a row with partitions between them")
     assert {row.verdict for row in run.report.asked} == {"met"}
@@ -181,16 +193,16 @@ def test_desks_in_a_row_have_room_for_the_partitions_between_them() -> None:
 @pytest.mark.parametrize(
     "text",
     [
-        "a dumbbell rack and dumbbells on the dumbbell rack",
-        "a lectern and a laptop on the lectern",
-        "a host stand and a lamp on the host stand",
-        "a plant stand and potted plants on the plant stand",
-        "a plant stand and flower buckets on the plant stand",
+        slow("a dumbbell rack and dumbbells on the dumbbell rack"),
+        slow("a lectern and a laptop on the lectern"),
+        slow("a host stand and a lamp on the host stand"),
+        slow("a plant stand and potted plants on the plant stand"),
+        slow("a plant stand and flower buckets on the plant stand"),
         "a produce stand and fruit on the produce stand",
-        "a pallet rack and boxes on the pallet rack",
-        "a grand piano and a vase on the grand piano",
+        slow("a pallet rack and boxes on the pallet rack"),
+        slow("a grand piano and a vase on the grand piano"),
         "a radiator and a vase on the radiator",
-        "a cabinet and a fish tank on the cabinet",
+        slow("a cabinet and a fish tank on the cabinet"),
     ],
 )
 def test_what_is_drawn_on_a_thing_makes_room_for_what_is_put_there(text: str) -> None:
@@ -222,7 +234,7 @@ def test_a_vase_alone_gets_a_table() -> None:
     ("text", "kind", "count"),
     [
         ("a storage room with three crates stacked in the corner", "crate", 3),
-        ("a warehouse with a stack of four pallets in the corner", "pallet", 4),
+        slow("a warehouse with a stack of four pallets in the corner", "pallet", 4),
         ("a walk-in wardrobe with two suitcases stacked in the corner", "suitcase", 2),
     ],
 )
@@ -236,6 +248,7 @@ def test_what_is_piled_stands_on_each_other_and_nothing_between(text: str, kind:
         assert result.layout[above].z > result.layout[below].z
 
 
+@pytest.mark.slow
 def test_a_soundbar_under_a_television_on_the_wall_stands_on_what_is_below_that() -> None:
     result = made("a living room with a TV on the wall and a soundbar under the TV")
     bar, screen, stand = (result.layout[name] for name in ("soundbar-0", "television-0", "tv_stand-0"))
@@ -245,6 +258,7 @@ def test_a_soundbar_under_a_television_on_the_wall_stands_on_what_is_below_that(
     assert math.dist(bar.at, stand.at) < 0.4
 
 
+@pytest.mark.slow
 def test_a_projector_that_is_said_to_hang_hangs_from_the_ceiling() -> None:
     result = made("a classroom with ten desks and a projector hanging from the ceiling")
     (name,) = of(result, "projector")
@@ -253,6 +267,7 @@ def test_a_projector_that_is_said_to_hang_hangs_from_the_ceiling() -> None:
     assert result.layout[name].z + height / 2 == pytest.approx(room.wall_height, abs=0.05)
 
 
+@pytest.mark.slow
 def test_a_reception_desk_along_a_wall_leaves_room_for_who_sits_behind_it() -> None:
     result = made("a lobby with a reception desk along the back wall with two computers on it")
     desk = result.layout["reception_desk-0"]

@@ -13,6 +13,7 @@ from robolayout.assets.surfaces import emptied, open_shelves
 from robolayout.planners import scene_from_sentence
 from robolayout.run.result import Result
 from robolayout.words import read_words
+from running import slow
 
 
 def raised(result: Result, kind: str, bearer: str) -> list[tuple[float, float]]:
@@ -32,17 +33,19 @@ def raised(result: Result, kind: str, bearer: str) -> list[tuple[float, float]]:
 @pytest.mark.parametrize(
     ("text", "kind", "bearer"),
     [
-        (
+        slow(
             "A storage room with three shelves along the wall and six cardboard boxes on the shelves.",
             "cardboard_box",
             "shelving_unit",
         ),
-        ("A workshop with a shelf of spare tires to the left.", "tire", "shelving_unit"),
-        ("A sewing room with a sewing machine on a table and a shelf with six boxes.", "storage_box", "shelving_unit"),
-        ("A craft room with a shelf with three baskets.", "basket", "shelving_unit"),
-        ("A bedroom with three books in the bookshelf.", "book", "bookshelf"),
+        slow("A workshop with a shelf of spare tires to the left.", "tire", "shelving_unit"),
+        slow(
+            "A sewing room with a sewing machine on a table and a shelf with six boxes.", "storage_box", "shelving_unit"
+        ),
+        slow("A craft room with a shelf with three baskets.", "basket", "shelving_unit"),
+        slow("A bedroom with three books in the bookshelf.", "book", "bookshelf"),
         ("A hallway with a shoe rack with four pairs of shoes and a bench.", "shoes", "shoe_rack"),
-        ("A living room with a bookshelf with three vases on its shelves.", "vase", "bookshelf"),
+        slow("A living room with a bookshelf with three vases on its shelves.", "vase", "bookshelf"),
     ],
 )
 def test_what_is_on_shelves_stands_below_their_top(text: str, kind: str, bearer: str) -> None:
@@ -127,6 +130,7 @@ def test_a_named_shelf_is_the_one_that_is_meant() -> None:
     assert not re.search("book-0", " ".join(result.report.violations))
 
 
+@pytest.mark.slow
 def test_several_kinds_on_one_unit_are_in_nobodys_way() -> None:
     result = made("A pantry with one shelving unit and eight jars and six bottles on the shelves.")
     assert result.report.ok, result.report.violations

@@ -14,6 +14,7 @@ from robolayout.constraints._exact import footprint
 from robolayout.planners.sentence import scene_from_sentence
 from robolayout.scene import Layout, Opening, Scene
 from robolayout.words import COMPASS, read_words
+from running import slow
 
 
 def sides(scene: Scene, openings: tuple[Opening, ...]) -> list[str]:
@@ -99,7 +100,10 @@ def test_what_is_between_openings_in_two_walls_is_between_them_in_the_room() -> 
     assert [[relation.name for relation in way] for way in demand.ways] == [["between"]]
 
 
-@pytest.mark.parametrize("text", ["A lounge with curtains on both windows.", "A lounge with a plant at each window."])
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    "text", ["A lounge with curtains on both windows.", slow("A lounge with a plant at each window.")]
+)
 def test_each_window_has_its_own(text: str) -> None:
     scene, _ = scene_from_sentence(text)
     demands, middles = read_words(scene).demands, [scene.room.walls[o.wall].point(o.center) for o in scene.room.windows]

@@ -105,6 +105,7 @@ def test_a_sentence_knows_own_rooms_and_things(music: Path) -> None:
     assert harp.size == pytest.approx((0.95, 0.55, 1.85), rel=0.061)
 
 
+@pytest.mark.slow
 def test_the_command_line_takes_files_of_ones_own(music: Path, tmp_path: Path, command: Callable[..., Ran]) -> None:
     out = tmp_path / "out"
     words = ("generate", "a harp room with a harp", "--no-pictures", "--out", out)

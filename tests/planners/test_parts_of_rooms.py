@@ -13,6 +13,7 @@ from shapely import Point, Polygon
 import robolayout as rl
 from robolayout.run.result import Result
 from robolayout.words import read_words
+from running import slow
 
 
 def there(text: str) -> Counter[str]:
@@ -71,10 +72,10 @@ def test_what_is_said_to_be_in_a_part_of_a_room_is_all_that_it_has() -> None:
 @pytest.mark.parametrize(
     ("text", "kind"),
     [
-        ("a bedroom with a sitting area by the window", "armchair"),
+        slow("a bedroom with a sitting area by the window", "armchair"),
         ("a living room with a reading nook by the window", "armchair"),
         ("a bedroom with a workspace by the window", "desk"),
-        ("a living room with a dining area by the window", "dining_table"),
+        slow("a living room with a dining area by the window", "dining_table"),
     ],
 )
 def test_a_part_of_a_room_is_at_its_window(text: str, kind: str) -> None:
@@ -86,6 +87,7 @@ def test_a_part_of_a_room_is_at_its_window(text: str, kind: str) -> None:
     assert not [row for row in result.report.asked if row.verdict in ("unmet", "not understood")]
 
 
+@pytest.mark.slow
 def test_all_of_a_kitchen_is_in_its_half_of_the_room() -> None:
     result = made("a living room with an open kitchen at the back")
     _, y0, _, y1 = result.scene.room.bounds
@@ -94,6 +96,7 @@ def test_all_of_a_kitchen_is_in_its_half_of_the_room() -> None:
     assert all(result.layout[name].y > (y0 + y1) / 2 for name in kitchen)
 
 
+@pytest.mark.slow
 def test_a_kitchen_along_a_wall_is_at_that_wall() -> None:
     result = made("a living room with an open kitchen along the left wall")
     x0 = result.scene.room.bounds[0]
@@ -102,6 +105,7 @@ def test_a_kitchen_along_a_wall_is_at_that_wall() -> None:
             assert result.layout[name].x - x0 < 0.1 + result.scene.by_name[name].size[0] / 2
 
 
+@pytest.mark.slow
 def test_a_relation_leads_to_what_stands_for_a_part_of_the_room() -> None:
     result = made("a studio with a dining area near the kitchen")
     (table,), (sink,) = of(result, "dining_table"), of(result, "kitchen_sink")
@@ -109,6 +113,7 @@ def test_a_relation_leads_to_what_stands_for_a_part_of_the_room() -> None:
     assert away(result, table, result.layout[sink].at) < 1.2 + reach
 
 
+@pytest.mark.slow
 def test_what_a_later_sentence_puts_there_stands_for_it() -> None:
     scene, _ = rl.scene_from_sentence(
         "An office with two desks. A screen is next to the meeting area. The meeting area has a long table with six chairs."
@@ -121,7 +126,8 @@ def test_what_a_later_sentence_puts_there_stands_for_it() -> None:
     assert "table" in rows["near"]
 
 
-@pytest.mark.parametrize("kinds", [("desk", "desk"), ("armchair", "side_table")])
+@pytest.mark.slow
+@pytest.mark.parametrize("kinds", [("desk", "desk"), slow(("armchair", "side_table"))])
 def test_several_in_the_corner_are_in_one_corner(kinds: tuple[str, str]) -> None:
     words = "two desks" if kinds[0] == kinds[1] else "an armchair and a side table"
     result = made(f"a room with {words} in the corner")
@@ -131,6 +137,7 @@ def test_several_in_the_corner_are_in_one_corner(kinds: tuple[str, str]) -> None
     assert Point(corner).distance(one.union(two)) < 0.5 and one.distance(two) < 0.65
 
 
+@pytest.mark.slow
 def test_each_half_has_what_is_done_there() -> None:
     result = made("the left side is the sleeping area and the right side is the living area")
     x0, _, x1, _ = result.scene.room.bounds

@@ -10,6 +10,7 @@ from said_rooms import made, of
 
 import robolayout as rl
 from robolayout.words import read_rooms, read_words
+from running import slow
 
 
 def there(text: str) -> Counter[str]:
@@ -107,7 +108,7 @@ def test_a_circle_of_chairs_is_one() -> None:
 
 
 @pytest.mark.parametrize(
-    "text", ["a sofa with a rug in front of it", "a sofa with a rug and coffee table in front of it"]
+    "text", [slow("a sofa with a rug in front of it"), "a sofa with a rug and coffee table in front of it"]
 )
 def test_a_rug_before_a_sofa_lies_under_its_table(text: str) -> None:
     result = made(text)
@@ -115,6 +116,7 @@ def test_a_rug_before_a_sofa_lies_under_its_table(text: str) -> None:
     assert result.report.ok and math.dist((rug.x, rug.y), (table.x, table.y)) < 0.4
 
 
+@pytest.mark.slow
 def test_what_is_beside_a_seat_stands_there_and_not_on_it() -> None:
     result = made("a sofa with a lamp and a plant beside it")
     sofa = result.layout["sofa-0"]
@@ -132,7 +134,7 @@ def test_a_door_mat_lies_before_the_door() -> None:
 @pytest.mark.parametrize(
     ("text", "kind", "walls"),
     [
-        ("a library with four tables and bookshelves along all walls", "bookshelf", 4),  # two at one wall, met
+        slow("a library with four tables and bookshelves along all walls", "bookshelf", 4),  # two at one wall, met
         ("a waiting room with chairs on two sides and a reception desk opposite the door", "chair", 2),
     ],
 )
@@ -142,12 +144,13 @@ def test_things_stand_at_as_many_walls_as_are_said(text: str, kind: str, walls: 
     assert result.report.ok and len(at) == walls
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("text", "kinds"),
     [
-        ("a room with three sofas around a coffee table", ("sofa",)),  # askew, one behind the other
+        slow("a room with three sofas around a coffee table", ("sofa",)),  # askew, one behind the other
         ("four sofas in a square around a coffee table", ("sofa",)),
-        ("a lounge with two sofas and two armchairs around a coffee table", ("sofa", "armchair")),
+        slow("a lounge with two sofas and two armchairs around a coffee table", ("sofa", "armchair")),
     ],
 )
 def test_sofas_around_a_table_are_each_at_a_side_of_it_and_look_there(text: str, kinds: tuple[str, ...]) -> None:
@@ -162,7 +165,7 @@ def test_sofas_around_a_table_are_each_at_a_side_of_it_and_look_there(text: str,
 @pytest.mark.parametrize(
     ("text", "name"),
     [
-        ("a kitchen with an island in the middle", "kitchen_island-0"),
+        slow("a kitchen with an island in the middle", "kitchen_island-0"),
         ("a workshop with a workbench in the middle of the room", "workbench-0"),
     ],
 )
@@ -214,6 +217,7 @@ def test_groups_of_chairs_are_circles_apart_from_each_other() -> None:
     assert result.report.ok and math.dist(*middles) > 1.5 * max(away)
 
 
+@pytest.mark.slow
 def test_chairs_stay_at_their_desks_where_the_middle_is_to_be_open() -> None:
     result = made("an office with four desks along the walls and open space in the middle")
     desks = [result.layout[name].at[:2] for name in of(result, "desk")]
@@ -247,6 +251,7 @@ def test_what_says_no_place_puts_nothing_at_a_wall(text: str) -> None:
     assert [row for row in rows if row.kind == "not understood"]
 
 
+@pytest.mark.slow
 def test_a_screen_at_the_short_end_hangs_on_a_short_wall() -> None:
     result = made("a conference room with a table for twelve and a screen at the short end")
     (x0, y0, x1, y1), screen = result.scene.room.bounds, result.layout["projection_screen-0"]

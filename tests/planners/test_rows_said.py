@@ -10,6 +10,7 @@ from tests.planners.said_rooms import at_sides, made, of
 
 from robolayout.planners.sentence import scene_from_sentence
 from robolayout.run.result import Result
+from running import slow
 
 
 def head_to_wall(result: Result, name: str) -> float:
@@ -19,12 +20,13 @@ def head_to_wall(result: Result, name: str) -> float:
     return float(back.distance(Polygon(result.scene.room.vertices).exterior))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("text", "kind", "count"),
     [
         ("a dormitory with six single beds in two rows", "single_bed", 6),
-        ("a ward with six hospital beds in two rows", "hospital_bed", 6),
-        ("a barracks with ten bunk beds in two rows and a locker next to each", "bunk_bed", 10),
+        slow("a ward with six hospital beds in two rows", "hospital_bed", 6),
+        slow("a barracks with ten bunk beds in two rows and a locker next to each", "bunk_bed", 10),
     ],
 )
 def test_beds_in_two_rows_have_their_heads_at_opposite_walls(text: str, kind: str, count: int) -> None:
@@ -55,6 +57,7 @@ def test_beds_side_by_side_are_as_far_apart_as_is_said() -> None:
     assert 0.75 < apart < 1.15
 
 
+@pytest.mark.slow
 def test_each_bed_of_a_ward_has_its_curtain() -> None:
     result = made("a ward with eight hospital beds in two rows, each with a curtain")
     assert result.report.ok
@@ -80,7 +83,7 @@ def test_what_opens_at_the_foot_of_a_bed_opens_away_from_it(text: str, kind: str
 @pytest.mark.parametrize(
     ("text", "watched"),
     [
-        ("a press room with twenty chairs in four rows facing a podium", "lectern-0"),
+        slow("a press room with twenty chairs in four rows facing a podium", "lectern-0"),
         ("a chapel with fifteen chairs facing the altar", "altar-0"),
     ],
 )
@@ -97,6 +100,7 @@ def test_sofas_that_face_each_other_around_a_table_are_across_it() -> None:
     assert at_sides(result, "sofa", "coffee_table-0") == ["back", "front"]
 
 
+@pytest.mark.slow
 def test_a_room_with_islands_of_desks_is_no_larger_than_they_need() -> None:
     result = made("an office with three islands of four desks each")
     assert result.report.ok
@@ -108,6 +112,7 @@ def test_what_is_said_of_the_middle_of_a_hall_keeps_it_free() -> None:
     assert not [asset.name for asset in scene.assets if "dance" in asset.name or "box" in asset.category]
 
 
+@pytest.mark.slow
 def test_an_altar_bears_candles_and_a_flag_stands_on_the_floor() -> None:
     chapel = made("a chapel with an altar, a lectern to the right of the altar and candles on both sides")
     altar = chapel.layout["altar-0"]
@@ -125,12 +130,17 @@ def test_an_altar_bears_candles_and_a_flag_stands_on_the_floor() -> None:
     ]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("text", "kind", "count"),
     [
-        ("a laboratory with three lab benches in parallel", "lab_bench", 3),
+        slow("a laboratory with three lab benches in parallel", "lab_bench", 3),
         ("a laboratory with three parallel lab benches", "lab_bench", 3),
-        ("a lab with six lab benches arranged in parallel to each other and a fume hood in the corner", "lab_bench", 6),
+        slow(
+            "a lab with six lab benches arranged in parallel to each other and a fume hood in the corner",
+            "lab_bench",
+            6,
+        ),
     ],
 )
 def test_what_stands_in_parallel_is_beside_its_like_and_not_end_to_end(text: str, kind: str, count: int) -> None:
@@ -144,10 +154,12 @@ def test_what_stands_in_parallel_is_beside_its_like_and_not_end_to_end(text: str
     assert len(lines) == 3
 
 
+@pytest.mark.slow
 def test_two_parallel_rows_are_two_rows() -> None:
     assert len(of(made("an office with two parallel rows of four desks"), "desk")) == 8
 
 
+@pytest.mark.slow
 def test_rows_across_a_told_aisle_stand_across_it_and_not_across_the_room() -> None:
     result = made("A server room with two rows of four racks facing each other across a cold aisle of 1.2 m.")
     racks = of(result, "server_rack")
@@ -164,6 +176,7 @@ def test_recliners_in_rows_watch_the_screen_of_their_room() -> None:
         assert ahead > abs(left), name
 
 
+@pytest.mark.slow
 def test_seats_on_both_sides_of_a_row_can_be_got_to() -> None:
     result = made("A nail salon with four manicure tables in a row, each with two chairs facing each other.")
     assert result.report.ok, result.report.violations

@@ -394,6 +394,7 @@ def test_pupils_who_sit_at_tables_have_no_desks_and_round_tables_stay_round() ->
     assert all(a.size[0] == pytest.approx(a.size[1]) for a in scene.assets if a.category == "round table")
 
 
+@pytest.mark.slow
 def test_seats_that_face_each_other_by_a_fireplace_stand_as_a_pair_with_room_for_knees() -> None:
     result = rl.generate(scene_from_sentence("A library with two armchairs that face each other by the fireplace.")[0])
     assert result.report.ok

@@ -9,6 +9,7 @@ from said_rooms import at_sides, made, of
 
 import robolayout as rl
 from robolayout.run.result import Result
+from running import slow
 
 
 def poses(result: Result, kind: str) -> list[tuple[float, float, float]]:
@@ -25,14 +26,15 @@ def off(yaw: float, dx: float, dy: float) -> float:
     return abs(math.degrees(math.remainder(yaw - math.atan2(dy, dx), math.tau)))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("text", "kind", "count"),
     [
-        ("a therapy room with ten chairs in a circle", "chair", 10),
-        ("a support group room with eight armchairs in a circle facing each other", "armchair", 8),
+        slow("a therapy room with ten chairs in a circle", "chair", 10),
+        slow("a support group room with eight armchairs in a circle facing each other", "armchair", 8),
         ("a yoga studio with eight yoga mats in a circle", "yoga_mat", 8),
-        ("a classroom with 12 chairs arranged in a circle", "chair", 12),
-        ("ten chairs in a circle for a wheelchair user", "chair", 10),
+        slow("a classroom with 12 chairs arranged in a circle", "chair", 12),
+        slow("ten chairs in a circle for a wheelchair user", "chair", 10),
     ],
 )
 def test_things_in_a_circle_surround_its_middle_and_look_there(text: str, kind: str, count: int) -> None:
@@ -54,8 +56,8 @@ def test_things_in_a_circle_surround_its_middle_and_look_there(text: str, kind: 
     ("text", "kind", "watched"),
     [
         ("six armchairs in a half circle in front of the fireplace", "armchair", "fireplace-0"),
-        ("an auditorium with 15 seats in a semicircle facing the stage", "theater_seat", "stage-0"),
-        ("a kindergarten with eight floor cushions in a semicircle facing the board", "floor_cushion", "board-0"),
+        slow("an auditorium with 15 seats in a semicircle facing the stage", "theater_seat", "stage-0"),
+        slow("a kindergarten with eight floor cushions in a semicircle facing the board", "floor_cushion", "board-0"),
     ],
 )
 def test_a_half_circle_is_open_to_what_is_watched(text: str, kind: str, watched: str) -> None:
@@ -69,12 +71,13 @@ def test_a_half_circle_is_open_to_what_is_watched(text: str, kind: str, watched:
     assert across[0] > 0 and abs(across[1]) < result.scene.by_name[watched].size[1] / 2 + 1.0
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "text",
     [
         "eight desks in a U shape facing the board",
-        "twelve desks in a horseshoe facing the whiteboard",
-        "an office where eight desks form a U",
+        slow("twelve desks in a horseshoe facing the whiteboard"),
+        slow("an office where eight desks form a U"),
     ],
 )
 def test_who_sits_at_a_u_of_desks_looks_inward(text: str) -> None:
@@ -88,7 +91,8 @@ def test_who_sits_at_a_u_of_desks_looks_inward(text: str) -> None:
         assert math.dist(chair[:2], (x, y)) > math.dist(desk[:2], (x, y))  # outside
 
 
-@pytest.mark.parametrize("things", ["sofas", "armchairs", "loveseats"])
+@pytest.mark.slow
+@pytest.mark.parametrize("things", [slow("sofas"), "armchairs", slow("loveseats")])
 def test_two_that_face_each_other_before_a_fireplace_are_at_both_sides_of_it(things: str) -> None:
     result = made(f"a living room with a fireplace and two {things} facing each other in front of it")
     assert result.report.ok
@@ -100,13 +104,13 @@ def test_two_that_face_each_other_before_a_fireplace_are_at_both_sides_of_it(thi
 @pytest.mark.parametrize(
     ("text", "counts"),
     [
-        (
+        slow(
             "a hospital room with two beds separated by a curtain, each with a bedside table and a visitor chair",
             {"night_stand": 2, "visitor_chair": 2},
         ),
-        ("a classroom with a teacher's desk and three tables, each with four chairs", {"chair": 12}),
-        ("a living room with a coffee table between two sofas, each with two cushions", {"cushion": 4}),
-        ("a classroom with 12 desks with a chair each", {"chair": 12}),
+        slow("a classroom with a teacher's desk and three tables, each with four chairs", {"chair": 12}),
+        slow("a living room with a coffee table between two sofas, each with two cushions", {"cushion": 4}),
+        slow("a classroom with 12 desks with a chair each", {"chair": 12}),
         ("a bed and a desk, each with a lamp", {"table_lamp": 2}),
     ],
 )
@@ -116,6 +120,7 @@ def test_each_is_each_of_several(text: str, counts: dict[str, int]) -> None:
     assert all(row.verdict == "met" for row in result.report.asked)
 
 
+@pytest.mark.slow
 def test_shelves_above_machines_keep_both_of_these_from_the_window() -> None:
     result = made(
         "a laundry room with a washer and dryer side by side, a laundry sink, an ironing board and shelves above the machines"
@@ -129,7 +134,7 @@ def test_shelves_above_machines_keep_both_of_these_from_the_window() -> None:
         ("a plant far from the window and the door", {"plant far from window and door"}),
         ("a crib away from the door and the radiator", {"crib away from door and radiator"}),
         ("a bed far from the door, the window and the radiator", {"bed far from door and window and radiator"}),
-        ("a bed separated from the sofa by a bookshelf", {"bookshelf separated from bed and sofa"}),
+        slow("a bed separated from the sofa by a bookshelf", {"bookshelf separated from bed and sofa"}),
     ],
 )
 def test_everything_that_a_relation_leads_to_is_asked(text: str, rows: set[str]) -> None:
@@ -170,6 +175,7 @@ def test_a_projector_above_a_table_hangs_from_the_ceiling() -> None:
     assert math.dist(lamp.at, table.at) < 0.2
 
 
+@pytest.mark.slow
 def test_a_printer_stand_between_two_desks_keeps_these_apart() -> None:
     result = made("an office with two desks facing each other, a printer stand between them")
     assert result.report.ok

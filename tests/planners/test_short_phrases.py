@@ -7,16 +7,18 @@ import math
 import pytest
 from said_rooms import at_sides, made, of
 
+from running import slow
+
 
 @pytest.mark.parametrize(
     ("text", "kinds"),
     [
-        ("an open plan kitchen and living room", {"fridge", "stove", "sofa", "coffee_table"}),
-        ("a living/dining room with a sofa", {"sofa", "dining_table", "tv_stand"}),
-        ("living room with a dining area", {"sofa", "dining_table", "chair"}),
-        ("a bedroom and office", {"bed", "desk", "office_chair"}),
+        slow("an open plan kitchen and living room", {"fridge", "stove", "sofa", "coffee_table"}),
+        slow("a living/dining room with a sofa", {"sofa", "dining_table", "tv_stand"}),
+        slow("living room with a dining area", {"sofa", "dining_table", "chair"}),
+        slow("a bedroom and office", {"bed", "desk", "office_chair"}),
         ("a bedroom with an office area", {"bed", "desk", "office_chair"}),
-        ("an office with a lounge area and a meeting area", {"desk", "sofa", "round_table", "stool"}),
+        slow("an office with a lounge area and a meeting area", {"desk", "sofa", "round_table", "stool"}),
         ("a bed and a desk", {"bed", "desk", "wardrobe"}),
     ],
 )
@@ -56,10 +58,10 @@ def test_no_chair_stands_between_a_table_and_its_wall(chairs: str, sides: list[s
 @pytest.mark.parametrize(
     ("text", "kind", "each"),
     [
-        ("a warehouse with 8 racks in two rows", "pallet_rack", 4),
-        ("a warehouse with 8 racks in two rows with an aisle between them", "pallet_rack", 4),
+        slow("a warehouse with 8 racks in two rows", "pallet_rack", 4),
+        slow("a warehouse with 8 racks in two rows with an aisle between them", "pallet_rack", 4),
         ("a warehouse with 6 racks in 2 rows with an aisle in the middle", "pallet_rack", 3),
-        ("a chapel with 6 pews on each side", "pew", 6),
+        slow("a chapel with 6 pews on each side", "pew", 6),
     ],
 )
 def test_blocks_of_rows_find_a_place(text: str, kind: str, each: int) -> None:
@@ -72,6 +74,7 @@ def test_blocks_of_rows_find_a_place(text: str, kind: str, each: int) -> None:
     assert {len(lines[0]), len(lines[1])} == {2, each}
 
 
+@pytest.mark.slow
 def test_a_crowd_of_desks_in_rows_gets_a_room_that_holds_it() -> None:
     assert made("a classroom with 20 desks in rows facing the whiteboard").report.ok
 
@@ -92,6 +95,7 @@ def test_a_chest_at_the_foot_of_a_bed_stands_in_its_middle() -> None:
     assert x > 1.0
 
 
+@pytest.mark.slow
 def test_two_sofas_in_an_l_are_at_right_angles_and_near() -> None:
     result = made("a living room with two sofas in an L shape")
     assert result.report.ok
@@ -107,6 +111,7 @@ def test_shelves_hang_over_both_machines() -> None:
     assert max(min(math.dist(shelf, machine) for shelf in shelves) for machine in machines) < 0.7
 
 
+@pytest.mark.slow
 def test_counters_on_both_sides_are_at_opposite_walls() -> None:
     result = made("galley kitchen with counters on both sides")
     assert result.report.ok
@@ -115,7 +120,7 @@ def test_counters_on_both_sides_are_at_opposite_walls() -> None:
 
 
 @pytest.mark.parametrize(
-    ("text", "chairs"), [("a restaurant with 6 tables of 4", 24), ("a cafe with 3 tables of two", 6)]
+    ("text", "chairs"), [slow("a restaurant with 6 tables of 4", 24), ("a cafe with 3 tables of two", 6)]
 )
 def test_tables_of_so_many_have_so_many_chairs(text: str, chairs: int) -> None:
     result = made(text)
@@ -126,8 +131,8 @@ def test_tables_of_so_many_have_so_many_chairs(text: str, chairs: int) -> None:
 @pytest.mark.parametrize(
     ("text", "about", "to", "where"),
     [
-        ("a living room with a sofa and a plant 2 m to the left of it", "plant-0", "sofa-0", "left"),
-        ("a bedroom with a bed and a desk 1.8 m to the right of the bed", "desk-0", "bed-0", "right"),
+        slow("a living room with a sofa and a plant 2 m to the left of it", "plant-0", "sofa-0", "left"),
+        slow("a bedroom with a bed and a desk 1.8 m to the right of the bed", "desk-0", "bed-0", "right"),
         ("an office with a desk and a bookshelf 2 m behind it", "bookshelf-0", "desk-0", "back"),
     ],
 )
@@ -137,7 +142,8 @@ def test_a_side_and_a_distance_are_told_together(text: str, about: str, to: str,
     assert at_sides(result, about.split("-")[0], to) == [where]
 
 
-@pytest.mark.parametrize("chairs", ["two", "three"])
+@pytest.mark.slow
+@pytest.mark.parametrize("chairs", [slow("two"), "three"])
 def test_no_chair_stands_between_a_table_and_its_corner(chairs: str) -> None:
     result = made(f"a kitchen with a small table in the corner and {chairs} chairs")
     assert result.report.ok

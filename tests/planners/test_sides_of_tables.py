@@ -11,6 +11,7 @@ from said_rooms import at_sides, made, of
 
 import robolayout as rl
 from robolayout.words import read_words
+from running import slow
 
 EIGHT = "a meeting room with a table with eight chairs, four on each side"
 
@@ -18,7 +19,7 @@ EIGHT = "a meeting room with a table with eight chairs, four on each side"
 @pytest.mark.parametrize(
     ("text", "kinds", "longer", "ends"),
     [
-        ("a conference room with a table for twelve, six chairs on each side", "office_chair", [6, 6], [0, 0]),
+        slow("a conference room with a table for twelve, six chairs on each side", "office_chair", [6, 6], [0, 0]),
         (
             "a dining room with a long table, three chairs on each long side and one at each end",
             "chair",
@@ -144,6 +145,7 @@ def test_what_is_had_after_a_comma_and_stands_elsewhere_is_not_at_what_has_it() 
     assert not any("bathroom_vanity-0, toilet-0" in said for said in relations)
 
 
+@pytest.mark.slow
 def test_chairs_all_at_one_side_are_not_around_a_table() -> None:
     result = made("a dining room of 6 x 6 m with a table with six chairs around it")
     (table,), chairs = of(result, "dining_table"), of(result, "chair")

@@ -15,7 +15,7 @@ from vlm_server import Loopback, Reply, Seen, serving
 
 from robolayout.program import read_program
 from robolayout.scene import load_scene, scene_to_dict
-from running import Ran, run_command
+from running import Ran, run_command, slow
 
 pytestmark = pytest.mark.usefixtures("ask_loopback")
 
@@ -291,6 +291,7 @@ def test_one_that_breaks_down_in_the_middle_is_taken_over_with_the_reason(room: 
     assert label == "decoration" and words in read(out, "report.json")["planner"]["taken_over"][label]
 
 
+@pytest.mark.slow
 def test_a_slow_model_is_not_waited_for_for_ever(room: Path) -> None:
     with serving(lambda *_: Reply(GROUPING, wait=30)) as server:
         ran, _ = generate(server, room, "--timeout", "0.3")
@@ -386,7 +387,7 @@ def test_a_blind_model_is_told_of_and_plans_from_the_text(room: Path) -> None:
     assert run_command("generate", room, *words).err == ran.err
 
 
-@pytest.mark.parametrize("mode", ["one_shot", "no_constraint"])
+@pytest.mark.parametrize("mode", ["one_shot", slow("no_constraint")])
 def test_the_other_modes_end_valid(room: Path, mode: str) -> None:
     def model(seen: Seen, number: int) -> str:
         return BED + PICTURE if mode == "one_shot" else good(seen, number)
@@ -461,6 +462,7 @@ def test_a_budget_without_a_price_is_refused(room: Path) -> None:
     assert not server.seen
 
 
+@pytest.mark.slow
 def test_a_replay_writes_the_same_bytes(room: Path) -> None:
     def learner(seen: Seen, n: int) -> Reply | str:
         if kind(seen) == "plan picture":
@@ -536,9 +538,9 @@ WORSE = AMENDED + "solver.distance_constraint(night_stand[0], walls[1], 0.0, 0.1
 @pytest.mark.parametrize(
     ("scores", "amendment", "kept", "words"),
     [
-        ((6, 8), AMENDED, True, "The critic gave 6 of 10 and 8 after its amendment, which was kept."),
-        ((6, 6), AMENDED, False, "The critic gave 6 of 10 and 6 after its amendment, which was dropped"),
-        ((6,), WORSE, False, "its amendment made the statements met worse and was dropped."),
+        slow((6, 8), AMENDED, True, "The critic gave 6 of 10 and 8 after its amendment, which was kept."),
+        slow((6, 6), AMENDED, False, "The critic gave 6 of 10 and 6 after its amendment, which was dropped"),
+        slow((6,), WORSE, False, "its amendment made the statements met worse and was dropped."),
         ((6,), "bed[0].position = [", False, "its program could not be read"),
         ((10,), "", False, "The critic gave 10 of 10 and had nothing to amend."),
     ],
@@ -577,7 +579,7 @@ def test_a_critic_amends_once_and_only_for_the_better(
     ("broken", "words"),
     [
         ("rate", "The critic did not answer: openai:gpt-4o failed after several tries (500)"),
-        ("amend", "The critic gave 7 of 10 and was asked for an amendment in vain: openai:gpt-4o failed"),
+        slow("amend", "The critic gave 7 of 10 and was asked for an amendment in vain: openai:gpt-4o failed"),
     ],
 )
 def test_a_critic_that_breaks_down_leaves_the_room_as_it_was(room: Path, broken: str, words: str) -> None:
@@ -608,6 +610,7 @@ def test_what_the_critic_does_not_speak_of_stays(room: Path) -> None:
     assert [name for name in before if before[name] != after[name]] in ([], ["picture-0"])
 
 
+@pytest.mark.slow
 def test_one_that_breaks_down_when_asked_again_keeps_what_it_had(room: Path) -> None:
     far = BED + "solver.distance_constraint(night_stand[0], bed[0], 3.4, 3.5)\n"
 

@@ -70,6 +70,7 @@ def test_votes_with_their_spread_are_in_the_report(protocol: str, laid_out: Path
     assert not [p for p in tmp_path.rglob("*") if p.is_file() and KEY.encode() in p.read_bytes()]
 
 
+@pytest.mark.slow
 def test_a_recorded_vote_belongs_to_its_layout(laid_out: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("OPENAI_API_KEY", KEY)
     with serving(voting) as server:
@@ -112,6 +113,7 @@ def test_without_a_vote_the_report_says_why(protocol: str, laid_out: Path, reply
     assert KEY not in ran.out + ran.err
 
 
+@pytest.mark.slow
 def test_one_command_measures_a_model_against_the_rules(
     protocol: str, laid_out: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -14,7 +14,7 @@ from vlm_server import Loopback, Reply, Seen, serving
 import robolayout as rl
 from robolayout.planners import ModelPlanner
 from robolayout.scene import scene_to_dict
-from running import run_command
+from running import run_command, slow
 
 pytestmark = pytest.mark.usefixtures("ask_loopback")
 
@@ -90,10 +90,8 @@ FAULTS: dict[str, tuple[Play, str]] = {
 }
 
 
-@pytest.mark.parametrize("fault", FAULTS)
-@pytest.mark.parametrize(
-    "from_the_start", [False, pytest.param(True, marks=pytest.mark.slow)], ids=["programs", "everything"]
-)
+@pytest.mark.parametrize("fault", [slow(fault) if fault == "without end" else fault for fault in FAULTS])
+@pytest.mark.parametrize("from_the_start", [False, slow(True)], ids=["programs", "everything"])
 def test_each_kind_of_fault_ends_in_a_room_and_a_sentence(
     protocol: str, fault: str, from_the_start: bool, tmp_path: Path
 ) -> None:
@@ -125,9 +123,7 @@ def test_what_only_the_user_can_mend_is_said_at_once(protocol: str, status: int,
 
 
 @pytest.mark.parametrize("tokens", [(1000, 200), (1000, 20_000)], ids=["usual", "long"])
-@pytest.mark.parametrize(
-    "most", [0.0001, 0.012, 0.1, *(pytest.param(size, marks=pytest.mark.slow) for size in (0.003, 0.006, 0.03, 2.0))]
-)
+@pytest.mark.parametrize("most", [0.0001, 0.012, 0.1, *(slow(size) for size in (0.003, 0.006, 0.03, 2.0))])
 def test_budgets_of_every_size_hold_and_end_in_a_room(protocol: str, most: float, tokens: tuple[int, int]) -> None:
     with serving(lambda seen, n: Reply(good(seen, n), tokens=tokens)) as server:
         asked = planner(protocol, server, samples=3, max_cost=most)

@@ -10,6 +10,7 @@ from robolayout.planners import ModelPlanner, PlanRequest
 from robolayout.program import read_program, reconcile
 from robolayout.run.flow import generate
 from robolayout.run.result import Result
+from running import slow
 
 QUICK = ("game_room",)
 """Rooms that solve within seconds."""
@@ -71,16 +72,12 @@ def ends_valid(result: Result) -> None:
 
 
 @pytest.mark.parametrize("mode", ["one_shot", "grouped"])
-@pytest.mark.parametrize(
-    "room", [room if room in QUICK else pytest.param(room, marks=pytest.mark.slow) for room in recordings.ROOMS]
-)
+@pytest.mark.parametrize("room", [room if room in QUICK else slow(room) for room in recordings.ROOMS])
 def test_a_recorded_room_ends_valid(room: str, mode: str) -> None:
     ends_valid(generate(recordings.scene_of(room), planner=planner(room, mode)))
 
 
-@pytest.mark.parametrize(
-    "room", [room if room in QUICK else pytest.param(room, marks=pytest.mark.slow) for room in recordings.ROOMS]
-)
+@pytest.mark.parametrize("room", [room if room in QUICK else slow(room) for room in recordings.ROOMS])
 def test_the_best_of_four_samples_is_at_least_as_good_as_the_first(room: str) -> None:
     scene = recordings.scene_of(room)
     one, four = (generate(scene, planner=planner(room, "one_shot", samples=n, retries=0)) for n in (1, 4))

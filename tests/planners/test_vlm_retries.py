@@ -41,6 +41,7 @@ def playing(bed: list[str], picture: list[str]) -> Play:
     return lambda seen, _: GROUPING if is_group(seen) else next(told[is_picture(seen)])
 
 
+@pytest.mark.slow
 def test_the_retry_sees_what_came_of_the_program() -> None:
     outside = FAR.replace("[1.0, 1.6, 0.25]", "[0.4, -0.5, 0.25]")
     with serving(playing([outside, BED], [PICTURE])) as server:
@@ -57,6 +58,7 @@ def test_the_retry_sees_what_came_of_the_program() -> None:
     assert again.user[:start].startswith(first.user[: first.user.index("The plan of the room")]), "static parts first"
 
 
+@pytest.mark.slow
 def test_later_groups_are_not_asked_about_earlier_ones() -> None:
     with serving(playing([FAR], [PICTURE])) as server:
         result = run(server)
@@ -64,6 +66,7 @@ def test_later_groups_are_not_asked_about_earlier_ones() -> None:
     assert len(programs(server, picture=False)) == 3 and len(programs(server, picture=True)) == 1
 
 
+@pytest.mark.slow
 def test_a_group_may_ask_for_an_earlier_one_to_be_planned_again(tmp_path: Path) -> None:
     wish = "# Reopen: `Sleeping`: the bed stands at walls[1]\n" + APART
     with serving(playing([BED, ELSEWHERE], [APART, wish])) as server:

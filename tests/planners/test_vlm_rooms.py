@@ -149,6 +149,7 @@ def test_an_own_catalogue_is_offered(tmp_path: Path) -> None:
     assert scene.by_name["oak_bed-0"].size == (2.1, 1.7, 0.9) and scene.by_name["oak_bed-0"].description == "oak"
 
 
+@pytest.mark.slow
 def test_variants_and_seeds_are_asked_for_one_by_one(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("OPENAI_API_KEY", KEY)
     with serving(lambda *_: json.dumps(ROOM)) as server:

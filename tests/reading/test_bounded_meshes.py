@@ -111,6 +111,7 @@ def test_a_picture_of_a_few_pixels_gives_the_colour(tmp_path: Path) -> None:
     assert red > 0.9 and green < 0.1
 
 
+@pytest.mark.slow
 def test_a_megabyte_of_picture_takes_little_memory(tmp_path: Path) -> None:
     data = pictured(png(20_000, 20_000))
     assert len(data) < 1_500_000

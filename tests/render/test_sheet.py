@@ -18,6 +18,7 @@ from robolayout.page.marks import sheet_marks, sheet_notes
 from robolayout.render import PlanMarks, SheetNotes, draw_sheet
 from robolayout.scene import Agent, Asset, Layout, Opening, Pose, Room, Scene
 from robolayout.verify import verify
+from running import slow
 
 SIZES = {(210.0, 297.0), (297.0, 210.0), (297.0, 420.0), (420.0, 297.0)}
 STANDARD = {20, 25, 50, 100, 200, 500, 1000, 2000, 5000}
@@ -149,7 +150,9 @@ def test_nothing_leaves_the_frame_and_no_text_lies_on_another(case):
         assert a.box.intersection(b.box).area < 0.02, f"{a.text!r} lies on {b.text!r}"
 
 
-@pytest.mark.parametrize("case", ["long", "L-shaped", "forty things", "long Unicode names", "no right angle", "tiny"])
+@pytest.mark.parametrize(
+    "case", ["long", "L-shaped", slow("forty things"), "long Unicode names", "no right angle", "tiny"]
+)
 def test_every_number_of_the_list_is_on_its_thing(case):
     scene, layout = ROOMS[case]
     svg = printed(case)
@@ -247,6 +250,7 @@ def test_names_of_rules_are_no_names_of_things():
     assert "bed transfer: bed (1) has it on 2 of 2 sides" in [words.text for words in texts(svg)]
 
 
+@pytest.mark.slow
 def test_a_list_that_finds_no_place_says_how_much_is_missing():
     rows = [(f"kind {k}", 0.2 + 0.0001 * k, 0.2, 0.2 + 0.3 * (k % 30), 0.2 + 0.3 * (k // 30)) for k in range(600)]
     scene, layout = furnished(Room(((0, 0), (10, 0), (10, 10), (0, 10)), 3), rows)

@@ -41,6 +41,7 @@ def turned(scene: Scene, degrees: float) -> Scene:
     return replace(scene, room=replace(scene.room, vertices=corners))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["dining_room", "tasks/bedroom_medium"])
 def test_turning_the_room_or_listing_things_otherwise_changes_no_verdict(name: str) -> None:
     scene = load_scene(EXAMPLES / f"{name}.json")
@@ -179,6 +180,7 @@ def test_a_thing_stands_where_what_lies_under_it_or_hangs_over_it_is_asked_to_be
     assert all(statement.met for statement in report.statements), report.statements
 
 
+@pytest.mark.slow
 def test_what_is_placed_first_may_belong_to_what_is_placed_first_too() -> None:
     """Some of the stools were looked for at tables that had no place yet."""
     text = (
@@ -316,6 +318,7 @@ def test_nobody_on_a_seat_at_a_wall_has_another_seat_before_the_knees(text: str)
         assert not [at for at in seen if 0.3 < at[0] < 0.75 and abs(at[1]) < 0.3]
 
 
+@pytest.mark.slow
 def test_what_stands_at_something_that_hangs_has_a_place() -> None:
     """Its anchor is hung later: it got no place at all, a KeyError."""
     result = rl.generate("A living room with a sofa and a dog bed by the radiator.")

@@ -15,6 +15,7 @@ import pytest
 
 from robolayout.solve import cache, programs
 from robolayout.solve.cache import cache_folder, entry_key, read_entry, write_entry
+from running import slow
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 
@@ -149,6 +150,7 @@ def _fresh(probe) -> str:
     return done.stdout.strip()
 
 
+@pytest.mark.slow
 def test_a_second_process_runs_the_program_without_jax(probe, folder):
     first, second = _fresh(probe), _fresh(probe)
     assert first == "[[0.0, 2.0, 4.0], [6.0, 8.0, 10.0]] True"
@@ -185,7 +187,7 @@ def test_the_arrays_of_nested_tuples_come_in_order():
     assert [int(leaf) for leaf in programs.leaves(template)] == [1, 2, 3, 4]
 
 
-@pytest.mark.parametrize("room", ["bedroom", "dining_room", "living_room", "tasks/classroom_crowded"])
+@pytest.mark.parametrize("room", ["bedroom", "dining_room", "living_room", slow("tasks/classroom_crowded")])
 def test_what_is_warmed_up_is_what_the_room_needs_in_every_stage(room, monkeypatch):
     from robolayout.planners import OfflinePlanner, PlanRequest
     from robolayout.program import read_program, reconcile
@@ -207,6 +209,7 @@ def test_what_is_warmed_up_is_what_the_room_needs_in_every_stage(room, monkeypat
         assert shapes(runner._arguments(stage, problem.start[None], runner.STILL)) == warmed[0]
 
 
+@pytest.mark.slow
 def test_an_unknown_runtime_leaves_the_work_to_jax(probe, folder):
     other = "from robolayout.solve import programs\nprograms.TESTED = ('none',)\n"
     path = f"from importlib import import_module\nimport_module('robolayout.solve').__path__.append({str(probe)!r})\n"

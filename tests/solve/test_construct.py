@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 import numpy as np
+import pytest
 from shapely import Point, Polygon
 from solve_rooms import BED, STANDS, TABLE, problem_of, room_of
 
@@ -98,6 +99,7 @@ def test_what_goes_by_a_thing_is_placed_right_after_it() -> None:
     assert builder._in_turn([2, 3]) == [2, 3], "nobody waits for what stays where it is"
 
 
+@pytest.mark.slow
 def test_rooms_45_percent_full_are_built_without_an_overlap() -> None:
     built = [(problem, one) for problem in map(half_full, range(4)) for one in builds(problem, 4)]
     layouts = [(problem.scene, problem.layout(one)) for problem, one in built]

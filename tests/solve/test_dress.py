@@ -70,6 +70,7 @@ def test_every_small_thing_passes_the_judge_and_the_room_is_not_touched() -> Non
     assert all(found.scene.by_name[name].lies_about for name in found.names)
 
 
+@pytest.mark.slow
 def test_it_stays_where_it_lies_for_five_seconds() -> None:
     found = dress(*living_room(), seed=3)
     assert settle(found.scene, found.layout).violations == ()
@@ -86,6 +87,7 @@ def hall() -> tuple[Scene, Layout]:
     )
 
 
+@pytest.mark.slow
 def test_coats_hang_from_hooks_and_clothes_lie_in_drawers_and_stay_there() -> None:
     found = dress(*hall())
     kinds = Counter(found.scene.by_name[name].category for name in found.names)
@@ -99,6 +101,7 @@ def test_coats_hang_from_hooks_and_clothes_lie_in_drawers_and_stay_there() -> No
         assert name in physics(found.scene, off).failing, "beside its hook it falls"
 
 
+@pytest.mark.slow
 def test_cupboards_are_full_behind_their_doors_and_stay_so() -> None:
     scene, layout = furnished(on_floor("wardrobe", 0.31, 1.5, 0), on_floor("kitchen cabinet", 2.5, 3.7, 270))
     found = dress(scene, layout)

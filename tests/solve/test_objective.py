@@ -65,6 +65,7 @@ def test_every_term_is_at_work(everything: tuple[np.ndarray, Arrays, np.ndarray]
     assert all((np.asarray(term) > 0).any() for term in found), found
 
 
+@pytest.mark.slow
 def test_the_gradient_of_the_objective_is_that_of_finite_differences(
     problem: Problem, everything: tuple[np.ndarray, Arrays, np.ndarray]
 ) -> None:

@@ -206,6 +206,7 @@ def bodies(poses, half):
     return Body(*columns)
 
 
+@pytest.mark.slow
 def test_intersection_over_union_is_shapelys_and_its_gradient_is_right():
     (pa, ha), (pb, hb) = boxes_at_random(400, 0), boxes_at_random(400, 1)
     shapes = [(Polygon(footprint(pa[i], ha[i])), Polygon(footprint(pb[i], hb[i]))) for i in range(len(pa))]
@@ -224,6 +225,7 @@ def test_intersection_over_union_is_shapelys_and_its_gradient_is_right():
         assert np.isfinite(slope).all()
 
 
+@pytest.mark.slow
 @settings(max_examples=15, deadline=None)
 @given(st.integers(0, 2**32))
 def test_the_gradient_of_the_whole_loss(seed):

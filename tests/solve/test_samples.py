@@ -77,6 +77,7 @@ def test_every_program_gets_a_layout_that_its_own_judge_measured() -> None:
     assert solutions[1].verdict.merit > 0.0
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("config", [THOROUGH, SolverConfig()])
 def test_four_programs_cost_no_more_than_one_with_its_other_ways(config: SolverConfig) -> None:
     """A program that cannot be met is searched in several ways; four of them are polished, the best is searched, without these."""
@@ -91,6 +92,7 @@ def test_four_programs_cost_no_more_than_one_with_its_other_ways(config: SolverC
     assert four["steps"] <= one["steps"]
 
 
+@pytest.mark.slow
 def test_four_programs_cost_at_most_twice_one_that_is_done_at_once() -> None:
     for config in (THOROUGH, SolverConfig()):
         with counted() as one:
@@ -100,6 +102,7 @@ def test_four_programs_cost_at_most_twice_one_that_is_done_at_once() -> None:
         assert four["steps"] <= 2 * one["steps"]
 
 
+@pytest.mark.slow
 def test_the_best_of_four_is_as_good_as_each_alone() -> None:
     asked = read(ROOM, *TEXTS)
     alone = min(solve(ROOM, program, config=QUICK).verdict.merit for program in asked)

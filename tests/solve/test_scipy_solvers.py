@@ -66,6 +66,7 @@ def test_headings_are_on_the_unit_circle_before_anything_is_mended(monkeypatch):
     np.testing.assert_allclose(np.hypot(*headings.T), 1.0, atol=1e-6)
 
 
+@pytest.mark.slow
 def test_annealing_is_bounded_by_evaluations():
     counts: list[int] = []
     for evaluations in (100, 1000):

@@ -16,6 +16,7 @@ from robolayout.solve.score import Score
 from robolayout.solve.search import everything, losses, total
 from robolayout.solve.stage import Stage, make_stage, no_routes
 from robolayout.verify import physics
+from running import slow
 
 WARDROBE = Asset("wardrobe-0", "wardrobe", (0.6, 1.6, 2.1))
 SLANTED = Room(((0, 0), (5, 0), (5, 3), (0, 4)), 2.5)
@@ -41,7 +42,7 @@ def compiled(stage: Stage, worlds: np.ndarray) -> np.ndarray:
     [furnished(), problem_of(room_of(BED, WARDROBE, *STANDS, room=SLANTED), PLAIN)],
     ids=["L", "slanted"],
 )
-@pytest.mark.parametrize("slot", range(3))
+@pytest.mark.parametrize("slot", [slow(0), slow(1), 2])
 def test_the_cost_of_a_pose_is_what_it_adds_to_the_objective(problem: Problem, slot: int) -> None:
     """One cost: between two poses of a thing both differ by the same, whatever stands around it."""
     rng, settled = np.random.default_rng(slot), np.array([parent < 0 for parent in problem.parent])
@@ -56,6 +57,7 @@ def test_the_cost_of_a_pose_is_what_it_adds_to_the_objective(problem: Problem, s
         assert cost - cost[0] == pytest.approx(expected - expected[0], rel=1e-4, abs=1e-3)
 
 
+@pytest.mark.slow
 @given(x=st.floats(0.6, 3.4), y=st.floats(0.6, 3.4), turn=st.floats(0.0, 6.28))
 @settings(max_examples=40, deadline=None)
 def test_broken_means_what_the_judge_means(x: float, y: float, turn: float) -> None:

@@ -43,6 +43,7 @@ from robolayout.solve.repair import Repair
 from robolayout.solve.runner import Runner
 from robolayout.solve.stage import make_stage, stages
 from robolayout.verify import physics
+from running import slow
 
 BEDROOM = """
 solver.against_wall(bed[0], walls[2])
@@ -232,8 +233,8 @@ def test_a_room_without_assets_is_solved() -> None:
     [
         ((BED,), "solver.distance_constraint(bed[0], walls[0], 50, 60)"),
         ((BED, TABLE), "solver.distance_constraint(bed[0], table[0], 0, 0)\nsolver.next_to(bed[0], table[0])"),
-        ((replace(BED, size=(9.0, 9.0, 0.5)),), ""),
-        (tuple(replace(BED, name=f"bed-{i}") for i in range(8)), ""),
+        slow((replace(BED, size=(9.0, 9.0, 0.5)),), ""),
+        slow(tuple(replace(BED, name=f"bed-{i}") for i in range(8)), ""),
         ((LAMP,), ""),
         ((TABLE,), "solver.distance_constraint(table[0], [900, 900], 0, 0.1)"),
     ],
@@ -251,6 +252,7 @@ def test_what_cannot_be_ends_in_a_layout_and_a_sentence(assets: tuple[Asset, ...
         assert solution.verdict.ok
 
 
+@pytest.mark.slow
 def test_refinement_and_repair_never_end_worse() -> None:
     """The clean-up of the published code often adds overlap and keeps the last state without a test."""
     program = reconcile(read_program(BEDROOM, ROOM), ROOM).program
@@ -316,6 +318,7 @@ def test_the_trace_is_kept_when_asked_for() -> None:
     assert not solved(room_of(BED)).trace.losses
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("numbers", [{"starts": 0}, {"starts": 4, "kept": 1}, {"starts": 1, "kept": 4}])
 def test_any_small_budget_works(numbers: dict[str, int]) -> None:
     too_many = room_of(*(replace(BED, name=f"bed-{i}") for i in range(8)))
@@ -323,6 +326,7 @@ def test_any_small_budget_works(numbers: dict[str, int]) -> None:
     assert solve(too_many, "", config=config).status == "unmet"
 
 
+@pytest.mark.slow
 def test_a_guess_whose_way_is_blocked_is_opened_and_not_given_up() -> None:
     """Nearly all of it is out of reach once it is polished, as one thing stands in the way; its composition is right."""
     row = measured("bedroom_crowded", 1)
@@ -330,7 +334,7 @@ def test_a_guess_whose_way_is_blocked_is_opened_and_not_given_up() -> None:
     assert row["moved"] < 0.45, "built anew, everything moves by more than a metre"
 
 
-@pytest.mark.parametrize(("anywhere", "unmet"), [(0, 1), (16, 0)])
+@pytest.mark.parametrize(("anywhere", "unmet"), [slow(0, 1), (16, 0)])
 def test_a_statement_that_no_place_near_the_guess_meets_is_met_elsewhere(anywhere: int, unmet: int) -> None:
     content, text = crowd(Crowd(10, 0.3, 7))
     scene = scene_from_dict(content)

@@ -51,6 +51,7 @@ def test_a_body_drives_to_what_it_is_said_to_get_to(body: str):
         assert set(usage.drives) == usage._lattice.reached(usage._places)
 
 
+@pytest.mark.slow
 def test_what_is_used_is_never_more_than_what_is_got_to_nor_that_than_where_it_stands():
     scene = rl.load_scene("examples/bedroom.json")
     layout, less = rl.generate(scene).layout, list[bool]()

@@ -202,6 +202,7 @@ def test_a_narrower_way_than_is_said_is_unmet(wide: str, verdict: str) -> None:
     assert [row.verdict for row in judged.report.asked if row.kind == "way"] == [verdict]
 
 
+@pytest.mark.slow
 def test_there_is_room_to_turn_where_it_is_said() -> None:
     run = rl.generate("A bedroom with a double bed and a desk and a 1.5 m turning circle in the middle of the room")
     x0, y0, x1, y1 = run.scene.room.bounds
@@ -244,6 +245,7 @@ def test_bodies_that_reach_something_are_who_the_room_is_for() -> None:
         assert not [asset.name for asset in scene.assets if "wheelchair" in asset.name]
 
 
+@pytest.mark.slow
 def test_a_wheelchair_gets_to_both_sides_of_a_bed() -> None:
     run = rl.generate("A bedroom where a wheelchair can reach both sides of the bed", seed=0)
     bed, at, free = run.scene.by_name["bed-0"], run.layout["bed-0"], 2 * run.scene.agents[0].radius - 0.05
