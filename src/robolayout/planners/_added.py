@@ -70,6 +70,8 @@ class Added:
             usual = (*wishes.room.base, *wishes.room.extras)
             self.spared |= {name for name in usual if name.endswith((*instead, "conference table", "dining table"))}
         self.spared |= {"pew"} if wishes.audience else set()
+        sofas = sum(count for name, count in self.wished.items() if wishes.head(name) in ("sofa", "loveseat"))
+        self.spared |= {"armchair"} if sofas > 1 else set()  # who is here sits there
         high = self._roles_of(thing for link in said if link.relation == "above" for thing in named(link.objects))
         single = wishes.playing(name for name, count in self.room.base.items() if count == 1)
         # a hood, where a microwave is above the stove

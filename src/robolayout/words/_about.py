@@ -209,7 +209,7 @@ class About(References):
 
     def _at_sides(self, chunk: Chunk, subjects: Sequence[Mention], place: Place | None) -> bool:
         """Seats on the sides or at the ends of a table stand around it; other things at a side are on top of it or beside it."""
-        held = [m.thing for m in self.holder if m.thing.head == "table"]  # "a table by the island, with a bench at its end"
+        held = [m.thing for m in self.holder if m.thing.head == "table"]  # "a table by a bar, with seats at the ends"
         tables = held or [thing for thing in self.said.things if thing.head in ("table", "counter", "island")]
         around = ("chair", "stool", "bench", "cushion", "armchair")
         seats = [m for m in subjects if m.thing.head in around]

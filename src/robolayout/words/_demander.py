@@ -357,6 +357,8 @@ class Demander(AtSides):
             return
         if relation == "stacked" and all(map(self._only_wall, it.subjects)):
             relation = "tiered"  # pictures on top of each other
+        elif relation == "crossed" and self._is(it.subjects[0], small.SEATS):
+            relation = "ell"  # two sofas at a right angle belong together
         elif relation == "abreast" and self.told.flanked & {*it.subjects}:
             relation = "abreast apart"
         elif relation == "abreast" and not same:

@@ -194,6 +194,7 @@ def words_for(asset: Asset) -> tuple[str, ...]:
     return tuple(singular(plain(word)) for word in (asset.category, *asset.synonyms))
 
 
+@lru_cache(maxsize=4096)
 def plain(text: str) -> str:
     """Return a phrase as the reader sees it: lower case, without apostrophes, hyphens as spaces."""
     return " ".join(text.lower().replace("\u2019", "'").replace("'", "").replace("-", " ").split())

@@ -31,11 +31,14 @@ _RULES = tuple(
 
 def reworded(words: list[Token]) -> list[Token]:
     """Return the words of a text with such phrases as the parser knows them, each in the place of what it stands for."""
+    text = " ".join(word.text for word in words)
     for rule, said, figures in _RULES:
-        starts = [0, *accumulate(len(word.text) + 1 for word in words)]
-        for match in reversed([*rule.finditer(" ".join(word.text for word in words))]):
+        found = [*rule.finditer(text)]
+        starts = [0, *accumulate(len(word.text) + 1 for word in words)] if found else []
+        for match in reversed(found):
             spans = [slice(*(bisect_left(starts, at) for at in span)) for span in match.regs if span[0] >= 0]
             words = [*words[: spans[0].start], *_put(said, words, spans, figures=figures), *words[spans[0].stop :]]
+        text = " ".join(word.text for word in words) if found else text
     return words
 
 

@@ -112,10 +112,12 @@ class ToldRows:
         self.count = {name: count for named, count in counted for name in named} | self.uncounted
         self.abreast = {name: math.ceil(len(named) / (self.count[name] or 1)) for _, named, _ in told for name in named}
         formed = ((link.relation, named) for link, named, _ in links if link.relation in small.SHAPES)
+        # "tables in a U and two chairs behind each": who sits there looks into it
+        behind = {b for link, _, to in links if link.relation == "behind" for b in to}
+        desks = {one.name for one in scene.assets if one.category.endswith("desk")}
+        out = {one.name for one in scene.assets if looks_over(one)} - (behind - desks)
         self.shape = {
-            name: InShape(
-                tuple(map(AssetRef, named)), small.SHAPES[relation], "out" if looks_over(scene.by_name[name]) else "in"
-            )
+            name: InShape(tuple(map(AssetRef, named)), small.SHAPES[relation], "out" if name in out else "in")
             for relation, named in formed
             if len(named) > 2 and alike(scene, named)
             for name in named
