@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 import pytest
+from said_rooms import made, of
 
 import robolayout as rl
 from robolayout.planners.sentence import scene_from_sentence
 from robolayout.scene import Asset, Opening, Room, Scene
+from running import slow
 
 SENTENCE = "a bedroom for two children with a bunk bed, desks and a reading corner, 4 x 5 m, for a wheelchair user"
 
@@ -70,3 +74,42 @@ def test_a_screen_hangs_high_enough_for_what_is_asked_to_stand_under_it() -> Non
     assert result.report.ok, result.report.violations
     assert result.layout[screen.name].z - screen.size[2] / 2 >= board.size[2]
     assert result.solution.phase == "built"
+
+
+@pytest.mark.parametrize(
+    ("text", "kind", "below"),
+    [
+        ("a living room with two shelves above the TV", "wall_shelf", "television"),
+        slow("a kitchen with two shelves above the counter", "wall_shelf", "kitchen_counter"),
+        slow("a living room with three pictures above the sofa", "picture", "sofa"),
+    ],
+)
+def test_several_over_one_thing_hang_side_by_side_over_its_width(text: str, kind: str, below: str) -> None:
+    result = made(text)
+    assert result.report.ok, result.report.violations
+    (low,) = of(result, below)
+    half = result.scene.by_name[low].size[1] / 2
+    across = sorted(result.layout[low].seen(result.layout[name].at)[1] for name in of(result, kind))
+    near = [y for y in across if abs(y) <= half + 0.05]
+    wide = max(result.scene.by_name[name].size[1] for name in of(result, kind))
+    assert len(near) == (3 if "three" in text else 2)
+    assert all(b - a > wide for a, b in pairwise(near))
+
+
+def test_shelves_over_what_is_too_narrow_for_two_hang_one_over_the_other() -> None:
+    result = made("a bathroom with a sink and two shelves above the sink")
+    assert result.report.ok, result.report.violations
+    first, second = (result.layout[name] for name in of(result, "wall_shelf"))
+    assert second.z - first.z > result.scene.by_name["wall_shelf-0"].size[2]
+    assert abs(first.x - second.x) + abs(first.y - second.y) < result.scene.by_name["wall_shelf-0"].size[1]
+
+
+def test_shelves_over_a_counter_are_there_in_place_of_wall_cabinets() -> None:
+    scene, _ = scene_from_sentence("a kitchen with two shelves above the counter")
+    assert not any(one.category == "wall cabinet" for one in scene.assets)
+
+
+def test_pictures_over_a_sofa_are_narrow_enough_for_all_of_them() -> None:
+    scene, _ = scene_from_sentence("a living room with three pictures above the sofa")
+    sofa = scene.by_name["sofa-0"].size[1]
+    assert sum(one.size[1] for one in scene.assets if one.category == "picture") < sofa

@@ -71,10 +71,10 @@ def test_the_compass_says_where_one_thing_is_of_another(way: str) -> None:
 def test_stands_at_the_outer_sides_of_two_beds_are_at_the_ends_of_their_row() -> None:
     (row,) = [row for row in rows("a hotel room with two beds side by side and a night stand on the outer side of each")
               if "night" in row.words]  # fmt: skip
-    ends = [[(relation.name, *relation.asset_names()) for relation in way] for way in row.demands[0].ways]
+    ends = [[(relation.side, *relation.asset_names()) for relation in way] for way in row.demands[0].ways]
     assert ends == [
-        [("left_of", "night_stand-0", "bed-0"), ("right_of", "night_stand-1", "bed-1")],
-        [("left_of", "night_stand-0", "bed-1"), ("right_of", "night_stand-1", "bed-0")],
+        [("left", "night_stand-0", "bed-0"), ("right", "night_stand-1", "bed-1")],
+        [("left", "night_stand-0", "bed-1"), ("right", "night_stand-1", "bed-0")],
     ]
 
 

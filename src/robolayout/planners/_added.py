@@ -76,6 +76,8 @@ class Added:
         single = wishes.playing(name for name, count in self.room.base.items() if count == 1)
         # a hood, where a microwave is above the stove
         self.spared |= {name for name, role in single.items() if "hang" in role.stands and high & {*role.above[:1]}}
+        shelves = [m for link in said if link.relation == "above" for m in link.subjects if m.thing.head == "shelf"]
+        self.spared |= {"wall cabinet"} if shelves and high & {"counter"} else set()
         self.named = self.spared | self.wished.keys()
         corners = [k for k in said if k.relation in ("corner", "cleared") or place_in(k.objects[:1], "corner")]
         bare = [link for link in corners if link.relation == "cleared" and link.objects[1:]]

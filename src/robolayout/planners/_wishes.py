@@ -6,7 +6,7 @@ import math
 from collections import Counter
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property, reduce
+from functools import cached_property
 from itertools import product
 
 from robolayout._errors import SceneError
@@ -15,6 +15,7 @@ from robolayout.assets import CATALOGUE, Category
 from robolayout.assets.palette import LOOKS
 from robolayout.constraints.in_shape import circle_across
 from robolayout.planners._knowledge import DATA, Knowledge, Role
+from robolayout.planners._room_type import room_meant
 from robolayout.scene import FLAT_HEIGHT
 from robolayout.words import (
     CROWD,
@@ -36,9 +37,6 @@ from robolayout.words import (
     sized,
 )
 
-LACKING, LIKELY, TELLING = 0.6, 0.9, 6.0
-"""What a room loses by each thing that it always has and that is not named, and what makes it likely, in things that belong there."""
-
 CARRIED = 0.5  # square metres of floor up to which a thing is put on another, where it is asked to stand there
 FOOTLESS = (
     0.09  # metres up to which a thing stands out from a wall where it hangs there instead of standing on its foot
@@ -53,13 +51,13 @@ AT_ONE = 8  # seats up to which "tables for six" is said of each of them
 ENDS = 2  # seats at the ends of a table, which stay free where all sit at its longer sides
 APART_AT_TABLE = 0.03  # metres between seats that are wider
 FOR_TWO = 0.8  # metres of a table for two
+LEAST_HUNG, HUNG_APART = 0.4, 0.06  # metres that several things over one are wide at least, and between them
 IN_A_SHAPE = 6  # things in a circle, a half circle or a U of which no number is said
 
 LARGEST = 8.0  # how many times as large as usual a room is up to which the number of its zones and people grows
 INSTEAD: Mapping[str, str] = DATA["instead"]
-LIKE: Mapping[str, str] = DATA["like"]
-LOW, SMALL, GENERAL, SLEPT_ON, SIZE_WORDS, SEATS, AT_A_LINE, VAGUE = (
-    (*DATA["nouns"][name],) for name in ("low", "small", "general", "slept_on", "sizes", "seats", "at_a_line", "vague")
+LOW, SMALL, GENERAL, SIZE_WORDS, SEATS, AT_A_LINE, VAGUE = (
+    (*DATA["nouns"][name],) for name in ("low", "small", "general", "sizes", "seats", "at_a_line", "vague")
 )
 
 
@@ -242,6 +240,7 @@ class RoomWishes:
         else:
             said = (*thing.of_all, *told)
             size = self._large_enough(thing, sized(kind, said, thing.sizes, thing.noun.said))
+            size = size if thing.sizes else self._side_by_side(thing, size)
         if not all(0.0 < side <= LONGEST for side in size):
             shape = f"{' x '.join(f'{side:g}' for side in size)} m"
             raise SceneError(f"a {shown} of {shape} cannot be placed; give it sides above 0 and at most {LONGEST:g} m.")
@@ -265,6 +264,14 @@ class RoomWishes:
             if link.relation == "stacked":
                 kind = replace(kind, on_object=True)
         return kind
+
+    def _side_by_side(self, thing: NamedThing, size: Size) -> Size:
+        """Return the size of one of several that hang over a thing, narrow enough for all of them if that is wide enough."""
+        links = (k for k in self.reading.parsed.links if k.relation == "above" and thing in named(k.subjects))
+        over = [self.lexicon.kinds[at.thing.noun.kind].size[1] for k in links for at in mentions(k.objects[:1])]
+        share = min(over, default=0.0) / thing.count - HUNG_APART
+        narrower = "wall" in thing.places and thing.count > 1 and share >= LEAST_HUNG
+        return (size[0], round(min(size[1], share), 2), size[2]) if narrower else size
 
     def _large_enough(self, thing: NamedThing, size: Size) -> Size:
         """Return the size of a thing with room for what is to lie on it, where it is a rug, or to sit before it in a line."""
@@ -349,7 +356,7 @@ def read_wishes(text: str, own: Knowledge, meshes: Mapping[str, Category]) -> Ro
     rooms = read_rooms(own.rooms.values())
     lexicon = Lexicon(rooms, (*meshes.values(), *own.things.values()))
     reading = read_text(text, lexicon)
-    room, guesses = _room(reading, rooms)
+    room, guesses = room_meant(reading, rooms)
     guesses += [
         f"{thing.noun.words!r} was taken as {thing.noun.kind}, {thing.noun.guessed}."
         for thing in reading.parsed.things
@@ -391,50 +398,6 @@ def _settle_number(thing: NamedThing, wishes: RoomWishes) -> None:
     formed += [2 * link.rows for link in about if link.relation == "groups"]  # "armchairs in groups of three"
     usual = max(brought, room.base.get(name, 0), *formed)
     thing.number = usual if usual > thing.count and usual % max(thing.rows, 1) == 0 else None
-
-
-def _room(reading: Reading, rooms: RoomTypes) -> tuple[RoomType, list[str]]:
-    """Return the room type: as named, else the nearest one, else the one that most of the things belong in."""
-    if reading.room is not None and not (reading.guessed and reading.room == "room"):
-        guess = [f"{reading.room_words!r} is no room type that is known: {reading.room} was taken."]
-        room = reduce(RoomType.sharing, (rooms.rooms[name] for name in (reading.room, *reading.joined)))
-        return room, guess if reading.guessed else []
-    kinds = {thing.noun.kind for thing in reading.parsed.things}
-    usual = {kind for room in rooms.rooms.values() if room.of != "bedroom" for kind in room.base}
-    kinds |= {like for like, last in LIKE.items() if any(kind.endswith(last) for kind in kinds - usual - {"pet bed"})}
-    if not kinds and not reading.parsed.facts:
-        known = ", ".join(sorted(rooms.rooms))
-        raise SceneError(f"the sentence names no room; known room types: {known}; words are read in English.")
-    likely = {name: room for name, room in rooms.rooms.items() if not room.by_name or kinds & {*room.telling}}
-    likely = _slept_in(likely, kinds) if not kinds.isdisjoint(SLEPT_ON) else likely
-    scores = {name: _belongs(kinds, room) for name, room in likely.items()}
-    best = max(scores, key=lambda name: (scores[name], name == "room"))
-    best = best if scores[best] >= LIKELY else "room"
-    best = "children's room" if reading.young and best in ("room", "office") else best
-    named = f"{reading.room_words!r} is no room type that is known" if reading.guessed else "No room was named"
-    return rooms.rooms[best], [f"{named}: {best} was taken."]
-
-
-def _slept_in(rooms: Mapping[str, RoomType], kinds: set[str]) -> dict[str, RoomType]:
-    """Return the rooms in which somebody sleeps; a home of one room only where one lives or cooks there, too."""
-    lived = {*rooms["studio"].base, *rooms["kitchen"].base} - {*rooms["bedroom"].base, "desk", "office chair", "chair"}
-    found = {name: room for name, room in rooms.items() if {*SLEPT_ON} & {*room.base, *room.person}}
-    return {name: room for name, room in found.items() if lived & kinds or name != "studio"}
-
-
-def _belongs(kinds: set[str], room: RoomType) -> float:
-    """Return how many of some kinds belong in a room; what always stands there counts double, and lacks where it is missing.
-
-    What tells of such a room counts more than anything that it lacks.
-    """
-    if not kinds & {*room.base, *room.person, *room.telling} - {"chair"}:
-        return 0.0
-    found = len(kinds & room.base.keys()) + len(kinds & {*room.base, *room.extras, *room.person})
-    missing = (CATALOGUE.get(name) for name in room.base.keys() - kinds)
-    # lights, rugs and what hangs or stands on others say little
-    slight = [k for k in missing if k and (k.size[2] < FLAT_HEIGHT or not k.on_floor)]
-    told = TELLING * len(kinds & {*room.telling})
-    return told + found - LACKING * (len(room.base.keys() - kinds) - len(slight))
 
 
 def _seats(thing: NamedThing, links: Sequence[Link]) -> float:

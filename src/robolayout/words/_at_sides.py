@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import partialmethod
@@ -102,6 +103,30 @@ class AtSides(AtPlaces):
             return single(near)
         under = stated("under", AssetRef(a), (AssetRef(b),))
         return Demand(((under,) if places_beneath(self._asset(b), self._asset(a)) else (under, near),))
+
+    def _the_other_way_round(self, it: Asked, relation: str) -> tuple[Asked, str]:
+        """Return what a relation asks, of several under one thing that hangs as of that over them: "beds under a picture"."""
+        if relation != "under" or len(it.others) != 1 or len(it.subjects) < 2 or not self._only_wall(it.others[0]):
+            return it, relation
+        return replace(it, subjects=it.others, groups=[it.subjects]), "above"
+
+    def _above(self, it: Asked) -> Iterator[Demand]:
+        """Over a thing, on the wall where it hangs there, or on it; one thing over the middle of several, else over one of them.
+
+        What hangs over a thing that is too narrow for all of them hangs one over the other.
+        """
+        if len(it.subjects) == 1 and len(it.others) > 1 and not self._asset(it.subjects[0]).on_object:
+            over = tuple(stated("above", AssetRef(it.subjects[0]), AssetRef(b)) for b in it.others)
+            yield Demand((over, *((one,) for one in over)))
+            return
+        last, many = dict[str, str](), Counter(b for _, b in it.twos)
+        for a, b in it.twos:
+            below = last.get(b, b)
+            above, on_top = (stated(how, AssetRef(a), AssetRef(below)) for how in ("above", "on_top_of"))
+            hung = (stated("mounted_on", AssetRef(a)),) if self._asset(a).on_wall else ()
+            yield Demand(((*hung, above), (on_top,))) if self._asset(a).on_object else single(above)
+            if self._only_wall(a) and (many[b] - 1) * self._asset(a).size[1] >= self._asset(b).size[1]:
+                last[b] = a
 
     def _across_a_top(self, b: str, items: Sequence[str], sided: str) -> Iterator[Way]:
         """Yield how two who sit at a table or desk look at each other over it: who has a manicure, and who gives it."""
@@ -224,14 +249,11 @@ class AtSides(AtPlaces):
 
     def _outside(self, it: Asked) -> Demand:
         """Half of some things at one end of a row, half at the other: which end is which, the row tells."""
-        half = -(-len(it.subjects) // 2)
-        ends = (it.others[0], it.others[-1])
+        half, ends = -(-len(it.subjects) // 2), (it.others[0], it.others[-1])
         ways = list[Way]()
         for left, right in (ends, ends[::-1]):
-            at = [("left_of", it.subjects[:half], left), ("right_of", it.subjects[half:], right)]
-            ways.append(
-                tuple(said for side, who, b in at for said in self._at_side(side, who, b, (0.0, ways_of.BESIDE)))
-            )
+            at = [("left", a, left) for a in it.subjects[:half]] + [("right", a, right) for a in it.subjects[half:]]
+            ways.append(tuple(stated("next_to", AssetRef(a), AssetRef(b), s, ways_of.BESIDE) for s, a, b in at))
         return Demand(tuple(ways))
 
     def _mirrored(self, it: Asked) -> Iterator[Demand]:

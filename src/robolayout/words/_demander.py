@@ -68,7 +68,7 @@ class Demander(AtSides):
 
     def demands(self, link: Link) -> tuple[Demand, ...]:
         """Return what a link asks for; nothing where it cannot be said."""
-        it, relation = self._asked(link), link.relation
+        it, relation = self._the_other_way_round(self._asked(link), link.relation)
         if relation != "stacked":
             piled = {name for thing in self.stacked for name in self.names.get(thing, ())[1:]}
             it = replace(it, subjects=[name for name in it.subjects if name not in piled])
@@ -405,17 +405,6 @@ class Demander(AtSides):
         for i, b in enumerate(it.others):  # "visible from the bed and from the sofa"
             seen = it.subjects[i * len(it.subjects) // len(it.others)]
             yield single(stated("point_towards", AssetRef(b), AssetRef(seen)))
-
-    def _above(self, it: Asked) -> Iterator[Demand]:
-        """Over a thing, on the wall where it hangs there, or on it; one thing over the middle of several, else over one of them."""
-        if len(it.subjects) == 1 and len(it.others) > 1 and not self._asset(it.subjects[0]).on_object:
-            over = tuple(stated("above", AssetRef(it.subjects[0]), AssetRef(b)) for b in it.others)
-            yield Demand((over, *((one,) for one in over)))
-            return
-        for a, b in it.twos:
-            above, on_top = (stated(how, AssetRef(a), AssetRef(b)) for how in ("above", "on_top_of"))
-            hung = (stated("mounted_on", AssetRef(a)),) if self._asset(a).on_wall else ()
-            yield Demand(((*hung, above), (on_top,))) if self._asset(a).on_object else single(above)
 
     def _amid(self, it: Asked) -> Iterator[Demand]:
         """Between two things, or a thing and a place: near both, and on the line between them."""

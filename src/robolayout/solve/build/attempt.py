@@ -12,7 +12,7 @@ import numpy as np
 from robolayout.solve.build.cluster import Cluster
 from robolayout.solve.build.grid import grid_batches, in_one_row, last_cell, off_walls, put_grid
 from robolayout.solve.build.member import GridPlan, Member
-from robolayout.solve.build.overhead import hang, lay_on, overhead
+from robolayout.solve.build.overhead import asked_below, hang, lay_on, overhead
 from robolayout.solve.build.places import Places, batches, close
 from robolayout.solve.build.rugs import lay_rugs
 from robolayout.solve.build.said import MISSED
@@ -183,7 +183,8 @@ class BuildPass:
         turns = self._turns(last=True)
         if turns:
             self.site.survey()
-        for items in turns:
+        # a picture that is usual over a bed waits for the photos that are asked to hang there
+        for items in sorted(turns, key=lambda kind: not any(asked_below(self.site, item.name) for item in kind)):
             self._place_kind(items)
 
     def _turns(self, *, last: bool) -> list[list[Want]]:

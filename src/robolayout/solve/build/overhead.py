@@ -20,7 +20,7 @@ from robolayout.solve.build.cluster import Cluster
 from robolayout.solve.build.form import corners_of
 from robolayout.solve.build.member import Member
 from robolayout.solve.build.places import WALL_GAP, targets, wall_yaw
-from robolayout.solve.build.site import Site, Spot
+from robolayout.solve.build.site import AT_WALL, Site, Spot
 from robolayout.solve.build.taste import wished
 from robolayout.solve.build.wants import Want
 
@@ -57,29 +57,64 @@ HANGING = Hanging()
 def hang(site: Site, names: Sequence[str], rng: np.random.Generator) -> None:
     """Hang things of a kind where a wall is free: over what they belong to, else where there is most room around them.
 
-    Mirrors before which a row of chairs is to stand hang in a row, where a wall is long enough for it.
+    Several that are asked over one thing hang in a row over its middle. Mirrors before which a row of chairs is to stand hang in
+    a row, where a wall is long enough for it.
     """
-    if not _hang_row(site, names):
-        for name in names:
+    over: dict[str, list[str]] = {}
+    for name in names:
+        for below in asked_below(site, name)[:1]:
+            over.setdefault(below, []).append(name)
+    hung = {name for below, row in over.items() if _hang_over(site, below, row) for name in row}
+    rest = [name for name in names if name not in hung]
+    if not _hang_before(site, rest):
+        for name in rest:
             _hang(site, name, rng)
 
 
-def _hang_row(site: Site, names: Sequence[str]) -> bool:
+def asked_below(site: Site, name: str) -> list[str]:
+    """Return over what a thing is asked to hang."""
+    asked = (part for one in site.said.about([name]) for way in one.ways for part in way if isinstance(part, Above))
+    return [part.b.name for part in asked if part.a.name == name]
+
+
+def _hang_over(site: Site, below: str, names: Sequence[str]) -> bool:
+    """Hang things in a row over one that stands at a wall; False where it does not, or is too narrow for them."""
+    spans = [one for one in site.spans if one.name == below and one.depth <= AT_WALL]
+    span = max(spans, key=lambda one: one.rect[2] - one.rect[0], default=None)  # in a corner the wall along which it is
+    if span is None or len(names) < 2:
+        return False
+    wide, long = max(site.size(name)[1] for name in names), span.rect[2] - span.rect[0]
+    pitch = min(max(wide + HANGING.apart, long / len(names)), long / (len(names) - 1), wide + HANGING.between)
+    slack = (long - pitch * (len(names) - 1)) / 2
+    shifts = sorted((0.0, *np.arange(-slack, slack, HANGING.step)), key=abs)
+    middle = (span.rect[0] + span.rect[2]) / 2
+    places = [(site.room.walls[span.wall], middle + shift) for shift in shifts]
+    return pitch > wide and _hang_row(site, names, pitch, places)
+
+
+def _hang_before(site: Site, names: Sequence[str]) -> bool:
     """Hang like things as far apart as what is demanded to stand before each needs; False where that is nothing or there is no wall."""
     before = [_standing_before(site, name) for name in names]
     if len(names) < 2 or not all(len(wants) == 1 for wants in before):
         return False
     wide = max(site.size(want.name)[1] for (want,) in before) + HANGING.between
-    along = [wide * (i - (len(names) - 1) / 2) for i in range(len(names))]
-    clusters = [site.clusters.build(want.name) for (want,) in before]
-    best, row = HANGING.crowded, list[Spot]()
-    for wall in site.room.walls:
-        for t in np.arange(wide / 2 - along[0], wall.length - wide / 2 - along[-1], HANGING.step):
-            found = [_hang_cost(site, name, wall, t + off) for name, off in zip(names, along, strict=True)]
-            cost = sum(cost for cost, _ in found) / len(names)
-            cost += sum(map(partial(_clash_before, site), clusters, (spot for _, spot in found)))
-            if cost < best:
-                best, row = cost, [spot for _, spot in found]
+    clusters, half = [site.clusters.build(want.name) for (want,) in before], wide * len(names) / 2
+    places = [(wall, t) for wall in site.room.walls for t in np.arange(half, wall.length - half, HANGING.step)]
+    return _hang_row(site, names, wide, places, clusters)
+
+
+def _hang_row(
+    site: Site, names: Sequence[str], pitch: float, places: Sequence[tuple[Wall, float]], before: Sequence[Cluster] = ()
+) -> bool:
+    """Hang things so far apart around the best of some places, by what stands before each; False where all are taken."""
+    along = [pitch * (i - (len(names) - 1) / 2) for i in range(len(names))]
+    best, row = HANGING.crowded if before else HANGING.covered, list[Spot]()
+    for wall, t in places:
+        found = [_hang_cost(site, name, wall, t + off) for name, off in zip(names, along, strict=True)]
+        cost = sum(cost for cost, _ in found) / len(names)
+        cost += sum(map(partial(_clash_before, site), before, (spot for _, spot in found)))
+        if cost < best:
+            best, row = cost, [spot for _, spot in found]
     for name, spot in zip(names, row, strict=False):
         site.settle(name, spot)
     return bool(row)
@@ -206,10 +241,10 @@ def _below(site: Site, name: str, wall: Wall, t: float) -> tuple[str | None, flo
         centred = abs((span.rect[0] + span.rect[2]) / 2 - t) < HANGING.centred
         if span.name in over and centred and site.spots[span.name].wall == wall.index and span.name not in hung_over:
             return span.name, 6.0 - over.index(span.name), max(top, span.rect[3]), ahead
-    asked = (part for one in site.said.about([name]) for way in one.ways for part in way if isinstance(part, Above))
-    under = (part.b.name for part in asked if part.a.name == name)
-    coming = (site.size(other)[2] for other in under if other not in site.spots and site.wants[other].standing)
-    return None, 0.0, max(top, next(coming, 0.0)), ahead
+    under = asked_below(site, name)
+    coming = [site.size(other)[2] for other in under if other not in site.spots and site.wants[other].standing]
+    hung = (site.spots[other].member for other in under if other in site.spots and site.spots[other].mode == "hang")
+    return None, 0.0, max(top, *coming[:1], *(one.bottom + site.size(one.name)[2] for one in hung), 0.0), ahead
 
 
 def _used_room(site: Site, name: str, member: Member) -> float:
