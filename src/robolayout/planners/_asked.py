@@ -75,9 +75,8 @@ def asked_lines(scene: Scene, demands: Sequence[Demand], known: set[str]) -> dic
     lines = {f"solver.{program.call(relation)}": relation.asset_names()[0] for relation in found}
     sides = [one.asset_names() for one in said(of_known) if isinstance(one, SideRelation | Near | NextTo)]
     beside = [*under, *(two[1] for two in sides if len(two) == 2 and two[0] in under)]
-    many = Counter(
-        one.asset_names()[1] for one in said(of_known) if one.name == "above"
-    )  # pictures in a row need more wall
+    # several that hang in a row need more wall without a window
+    many = Counter(one.asset_names()[1] for one in said(of_known) if one.name == "above")
     aside = {name: f"weight={IN_THE_LIGHT * max(many[name], 1) ** 2:g}" for name in beside}
     return lines | {f"solver.wish.at_window({scene.expressions[name]}, {aside[name]})": name for name in beside}
 

@@ -257,6 +257,7 @@ class AtSides(AtPlaces):
         return Demand(tuple(ways))
 
     def _mirrored(self, it: Asked) -> Iterator[Demand]:
+        """Each two as mirror images about a thing."""
         for a, b in zip(it.subjects[::2], it.subjects[1::2], strict=False):
             yield from (single(stated("symmetric_pair", *map(AssetRef, (a, b, c)))) for c in it.others[:1])
 

@@ -200,10 +200,10 @@ class References(Spoken):
     def _opposite_corner(self, place: Place) -> Place:
         """Return the corner across from that of before: "the bed in the north-west corner, the desk in the opposite one"."""
         before = [at.words for link in self.said.links for at in places(link.objects, "corner")][-1:]
-        if place.name != "corner" or not {"opposite", "opposing", "diagonal"} & {*place.words}:
+        if place.name != "corner" or place.by or not {"opposite", "opposing", "diagonal"} & {*place.words}:
             return place
         told = [small.ACROSS[word] for word in (before[0] if before else ()) if word in small.ACROSS]
-        self.said.missed += [] if before or place.by else [self._ahead(-1)]
+        self.said.missed += [] if before else [self._ahead(-1)]
         return replace(place, words=(*told,) or ("opposite",))
 
     def _led_back(self, relation: str) -> Sequence[Item]:
