@@ -98,3 +98,10 @@ def test_a_high_chair_is_one_more_at_the_table() -> None:
 def test_pupils_with_two_chairs_behind_each_table_have_no_desks_besides() -> None:
     scene, _ = scene_from_sentence("a classroom with six tables in a U and two chairs behind each table")
     assert not any(one.category == "student desk" for one in scene.assets)
+
+
+def test_what_takes_the_middle_between_sofa_and_screen_leaves_no_coffee_table() -> None:
+    text = "a living room for movie nights: a sofa 3 m in front of the TV, two bean bags between the sofa and the TV"
+    scene, _ = scene_from_sentence(text)
+    assert not any(one.category == "coffee table" for one in scene.assets)
+    assert not any(row.kind == "not understood" for row in rows(text))

@@ -159,6 +159,10 @@ class Added:
         cleared = (link for link in wishes.reading.parsed.links if link.relation == "cleared")
         free = [k for k in cleared if (at := place_in(k.objects)) and "front" in at.words]
         before = self._roles_of(m.thing for k in free for m in k.subjects)
+        # two bean bags between the sofa and the TV take the place of a coffee table
+        amid = (k for k in wishes.reading.parsed.links if k.relation == "amid")
+        full = (k for k in amid if any(thing.count > 1 and self._broad(thing) for thing in named(k.subjects)))
+        before |= self._roles_of(m.thing for k in full for m in mentions(k.objects) if m.thing.head == "sofa")
         roles = wishes.playing(usual).items()
         found = {name for name, role in roles if any(map(role.stands_beside, sides))}
         low = [(name, role) for name, role in roles if head(name) == "table"]  # a coffee table before a sofa
