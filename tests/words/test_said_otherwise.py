@@ -105,3 +105,9 @@ def test_what_takes_the_middle_between_sofa_and_screen_leaves_no_coffee_table() 
     scene, _ = scene_from_sentence(text)
     assert not any(one.category == "coffee table" for one in scene.assets)
     assert not any(row.kind == "not understood" for row in rows(text))
+
+
+def test_things_along_a_wall_that_are_told_to_be_apart_are_one_row_with_gaps() -> None:
+    told = rows("a room with six charging docks along the long wall 0.8 m apart")
+    blocks = {one for row in told for demand in row.demands for one in demand.ways[0] if one.name == "in_rows"}
+    assert {(one.rows, one.gap) for one in blocks} == {(1, 0.8)}

@@ -34,6 +34,10 @@ class Demander(AtSides):
         self.shelved = dict(shelved(scene.by_name, asked))
         self.parted = parted(asked)
         self.cornered = in_corners(asked)
+        apart = (it for link, it in asked if link.relation == "apart" and not link.objects)
+        self.spaced = {a: it.metres[0] for it in apart for a in it.subjects}
+        along = (it for _, it in asked if it.place is not None and it.place.at_one_wall)
+        self.lined = {a for it in along for a in it.subjects}  # all at the same wall
         self.askew = {name for link, it in asked if link.relation == "diagonal" for name in it.subjects}
         twos = [(link.relation, *two) for link, it in asked for two in it.twos]
         self.put = {a for _, a, _ in twos}  # what stands at another thing
@@ -197,7 +201,8 @@ class Demander(AtSides):
             yield self.told.block(it.subjects)
             return
         if by_themselves and len(it.subjects) >= ways_of.CROWD and alike(self.scene, it.subjects):
-            yield in_rows(it.subjects, None, gap=metres[0], aisle=metres[0])
+            lined = {*it.subjects} <= self.lined
+            yield in_rows(it.subjects, 1 if lined else None, gap=metres[0], aisle=0.0 if lined else metres[0])
             return
         twos = [two for group in it.groups for two in replace(it, groups=[group]).twos]
         for a, b in pairwise(it.subjects) if by_themselves else twos:

@@ -148,6 +148,7 @@ class AtPlaces:
         self.cornered: Mapping[
             str, str
         ] = {}  # what is asked to be in a corner, perhaps one by a window, and what is across
+        self.spaced: Mapping[str, float] = {}  # what is told to be so many metres apart
         self.surrounded = frozenset[str]()  # what touches no wall: seats are all around it, or something is behind it
 
     def _asset(self, name: str) -> Asset:
@@ -212,7 +213,8 @@ class AtPlaces:
         elif place.at_one_wall and len(subjects) > 1 and len(told := walls_meant(self.room, place)) > 1:
             at = [[stated(self._held(a, on), AssetRef(a), WallRef(w.index)) for a in subjects] for w in told]
             yield Demand(tuple(map(tuple, at)))  # "mirrors on the long wall": all at the same of them
-            yield from [in_rows(subjects, 1)] if len(subjects) > 2 and alike(self.scene, subjects) else []
+            row = len(subjects) > 2 and alike(self.scene, subjects)
+            yield from [in_rows(subjects, 1, gap=self.spaced.get(subjects[0], 0.0))] if row else []
         else:
             each = place.name in ("window", "door") and place.det in ("each", "both", "all")
             each = each and len(openings_meant(self.room, place)) == len(subjects)  # "curtains on both windows"
