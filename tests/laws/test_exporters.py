@@ -121,12 +121,12 @@ def test_the_order_of_the_layout_does_not_matter(exporter: Exporter) -> None:
 @pytest.mark.slow
 def test_bytes_do_not_depend_on_the_hash_seed(tmp_path: Path) -> None:
     program = (
-        "import sys, hashlib; sys.path.insert(0, sys.argv[1]); import test_exporters as t; "
+        "import sys, hashlib; sys.path[:0] = sys.argv[1:]; import test_exporters as t; "
         "print([hashlib.sha256(e.write(t.SCENE, t.LAYOUT, t.OPTIONS)).hexdigest() for e in t.EXPORTERS.values()])"
     )
     outputs = {
         subprocess.run(
-            [sys.executable, "-c", program, str(Path(__file__).parent)],
+            [sys.executable, "-c", program, *map(str, Path(__file__).parents[:2])],
             env={**os.environ, "PYTHONHASHSEED": seed, "PYTHONDONTWRITEBYTECODE": "1"},
             capture_output=True,
             text=True,
