@@ -70,7 +70,7 @@ class Added:
             usual = (*wishes.room.base, *wishes.room.extras)
             self.spared |= {name for name in usual if name.endswith((*instead, "conference table", "dining table"))}
         self.spared |= {"pew"} if wishes.audience else set()
-        sofas = sum(count for name, count in self.wished.items() if wishes.head(name) in ("sofa", "loveseat"))
+        sofas = sum(count for name, count in self.wished.items() if wishes.head(name) == "sofa")
         self.spared |= {"armchair"} if sofas > 1 else set()  # who is here sits there
         high = self._roles_of(thing for link in said if link.relation == "above" for thing in named(link.objects))
         single = wishes.playing(name for name, count in self.room.base.items() if count == 1)
@@ -217,7 +217,7 @@ class Added:
 
     def _go_along(self, name: str, count: int) -> None:
         """Add what a wished thing is of no use without; benches and stools are seats of tables, too."""
-        others = {other for other in self.wished if self._of_another(other, name)} | {"high chair"}
+        others = {other for other in self.wished if self._of_another(other, name)}
         there = {self.wishes.head(other) for other in self.wished.keys() - others if not visits(other)}
         there |= self.wishes.general - {self.wishes.head(other) for other in others}
         there |= {"chair"} if head(name) == "table" and SEATS & {*self.wished} else set()

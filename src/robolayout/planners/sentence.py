@@ -223,7 +223,7 @@ def _wished(wishes: RoomWishes) -> dict[str, int]:
     """Return what was asked for, with what the people in the sentence bring along."""
     room, wished = wishes.room, Counter(wishes.things)
     people = _people(wishes, wished)
-    heads = {head(name) for name in wished if name != "high chair"}  # one more at a table
+    heads = {head(name) for name in wished}
     heads |= {"chair"} if SEATS & {*wished} and "table" in heads else set()
     heads |= {"chair"} if "stool" in heads and _at_a_counter(wished) else set()
     heads |= {"laptop"} if heads & {"monitor", "computer"} else set()
@@ -306,7 +306,7 @@ def _people(wishes: RoomWishes, wished: dict[str, int]) -> int:
     """Return for how many the room is: as said, else as many as have a seat, a desk or a bed; seats are wished for."""
     room = wishes.room
     if wishes.seats:
-        adults = [name for name in wished if head(name) == "chair" and name not in ("high chair", "kids chair")]
+        adults = [name for name in wished if head(name) == "chair" and name != "kids chair"]
         chair = _chair(wishes)
         desks = sum(count for name, count in wished.items() if head(name) == "desk")
         named = sum(wished[name] for name in adults)
@@ -325,7 +325,7 @@ def _people(wishes: RoomWishes, wished: dict[str, int]) -> int:
         taken = {"desk"}  # who sits at the table also has a desk, and each of the other chairs is somebody else's
     tables = [(wishes.kinds[name], n) for name, n in wished.items() if room.tables and head(name) == "table"]
     seats = sum(count * (2 if max(kind.size[:2]) <= SIZES.for_two else 4) for kind, count in tables)
-    own = [n for name, n in wished.items() if head(name) in taken and not visits(name) and name != "high chair"]
+    own = [count for name, count in wished.items() if head(name) in taken and not visits(name)]
     return max(own, default=seats or _usual_people(wishes))
 
 

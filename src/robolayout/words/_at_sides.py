@@ -17,9 +17,11 @@ from robolayout.scene import ROUNDING
 from robolayout.words import _function_words as small
 from robolayout.words import _ways as ways_of
 from robolayout.words._places import COMPASS, Asked, AtPlaces, openings_meant, opposed, walls_meant
-from robolayout.words._rows import ToldRows
 from robolayout.words._said import Link, Place, place_in
 from robolayout.words.demands import Demand, EdgeGap, FreeDisc, Way, by_ways, single, stated
+
+SIDE_RELATIONS = {"front": "in_front_of", "left": "left_of", "back": "behind", "right": "right_of"}
+"""How something is to another thing that is at one of its sides."""
 
 SIDES_OF_A_LOUNGE = ("behind", "left_of", "right_of", "in_front_of")
 """Sides of a low table at which sofas stand that are around it, in their order."""
@@ -41,12 +43,18 @@ def parted(asked: Iterable[tuple[Link, Asked]]) -> frozenset[str]:
     return frozenset(name for names, at in walls if at.plural and "opposite" in at.words for name in names)
 
 
+def _looks(normal: tuple[float, float]) -> dict[str, tuple[float, float]]:
+    """Return whither the sides of a thing look that has its back to a wall with a normal."""
+    x, y = normal
+    return {"front": (x, y), "left": (-y, x), "back": (-x, -y), "right": (y, -x)}
+
+
 def in_corners(asked: Iterable[tuple[Link, Asked]]) -> dict[str, str]:
     """Return what is asked to be in a corner, with what is across from it: "a bed in one corner, a desk in the opposite one"."""
     found = dict[str, str]()
-    for it in (it for _, it in asked if it.place is not None and it.place.name == "corner"):
-        last = next(reversed(found), "") if it.place is not None and "opposite" in it.place.words else ""
-        found |= dict.fromkeys(it.subjects, last)
+    for subjects, place in ((it.subjects, it.place) for _, it in asked if it.place is not None):
+        if place.name == "corner":
+            found |= dict.fromkeys(subjects, next(reversed(found), "") if "opposite" in place.words else "")
     return found
 
 
@@ -58,9 +66,6 @@ class AtSides(AtPlaces):
 
     lounging: Mapping[str, tuple[str, tuple[float, float]]]
     """Several sofas, with armchairs, that are around a low table: at which side of it, and how far from it, each is."""
-
-    told: ToldRows
-    """What is said of rows and shapes."""
 
     parted: frozenset[str]
     """What is asked to opposite walls."""
@@ -149,9 +154,7 @@ class AtSides(AtPlaces):
         """Yield the ways in which a side of a thing, which stands at a wall or free, is so far from the wall that it looks at."""
         half = self._asset(a).size[side in ("left", "right")] / 2
         for wall in self.room.walls:  # at its back
-            x, y = wall.normal
-            to = {"front": (x, y), "left": (-y, x), "back": (-x, -y), "right": (y, -x)}[side]
-            ahead = [one for one in self.room.walls if opposed(one.normal, to)]
+            ahead = [one for one in self.room.walls if opposed(one.normal, _looks(wall.normal)[side])]
             far = (stated("distance_constraint", AssetRef(a), WallRef(w.index), round(half + metres, 3)) for w in ahead)
             yield (stated("align_with", AssetRef(a), WallRef(wall.index), 90.0), *far)
 
@@ -232,14 +235,13 @@ class AtSides(AtPlaces):
 
     def _towards(self, way: str, a: str, b: str) -> Demand | None:
         """Return that one thing is north, or so, of another, which may stand with its back to any wall."""
-        x, y = COMPASS[way]
         found = dict[tuple[float, float], Way]()
         for wall in self.room.walls:
-            (u, v), back = wall.normal, stated("align_with", AssetRef(b), WallRef(wall.index), 90.0)
-            sides = {"behind": (u, v), "in_front_of": (-u, -v), "left_of": (v, -u), "right_of": (-v, u)}
-            side = next((side for side, inward in sides.items() if x * inward[0] + y * inward[1] > math.sqrt(0.5)), "")
-            if side:
-                found.setdefault(wall.normal, (back, stated(side, AssetRef(a), AssetRef(b), 0.0, ways_of.NEAR)))
+            back = stated("align_with", AssetRef(b), WallRef(wall.index), 90.0)
+            for side, to in _looks(wall.normal).items():
+                if opposed(COMPASS[way], to):  # as the wall there looks inward
+                    at = stated(SIDE_RELATIONS[side], AssetRef(a), AssetRef(b), 0.0, ways_of.NEAR)
+                    found.setdefault(wall.normal, (back, at))
         return Demand(tuple(found.values())) if found else None
 
     _northwards_each = partialmethod(_towards, "north")

@@ -34,8 +34,6 @@ class Demander(AtSides):
         self.shelved = dict(shelved(scene.by_name, asked))
         self.parted = parted(asked)
         self.cornered = in_corners(asked)
-        apart = (it for link, it in asked if link.relation == "apart" and not link.objects)
-        self.spaced = {a: it.metres[0] for it in apart for a in it.subjects}
         along = (it for _, it in asked if it.place is not None and it.place.at_one_wall)
         self.lined = {a for it in along for a in it.subjects}  # all at the same wall
         self.askew = {name for link, it in asked if link.relation == "diagonal" for name in it.subjects}

@@ -15,7 +15,7 @@ from robolayout.words import _function_words as small
 from robolayout.words import _ways as ways_of
 from robolayout.words._halves import floor_point, half_aside, halves_meant, rectangle
 from robolayout.words._lexicon import grammar
-from robolayout.words._rows import alike, in_rows
+from robolayout.words._rows import ToldRows, alike, in_rows
 from robolayout.words._said import Place, sides
 from robolayout.words.demands import Demand, Way, single, stated
 
@@ -143,12 +143,14 @@ class Asked:
 class AtPlaces:
     """Says in which ways things can be at the places of a scene's room."""
 
+    told: ToldRows
+    """What is said of rows and shapes."""
+
     def __init__(self, scene: Scene) -> None:
         self.scene, self.room = scene, scene.room
         self.cornered: Mapping[
             str, str
         ] = {}  # what is asked to be in a corner, perhaps one by a window, and what is across
-        self.spaced: Mapping[str, float] = {}  # what is told to be so many metres apart
         self.surrounded = frozenset[str]()  # what touches no wall: seats are all around it, or something is behind it
 
     def _asset(self, name: str) -> Asset:
@@ -214,7 +216,7 @@ class AtPlaces:
             at = [[stated(self._held(a, on), AssetRef(a), WallRef(w.index)) for a in subjects] for w in told]
             yield Demand(tuple(map(tuple, at)))  # "mirrors on the long wall": all at the same of them
             row = len(subjects) > 2 and alike(self.scene, subjects)
-            yield from [in_rows(subjects, 1, gap=self.spaced.get(subjects[0], 0.0))] if row else []
+            yield from [in_rows(subjects, 1, gap=self.told.apart.get(subjects[0], 0.0))] if row else []
         else:
             each = place.name in ("window", "door") and place.det in ("each", "both", "all")
             each = each and len(openings_meant(self.room, place)) == len(subjects)  # "curtains on both windows"

@@ -83,8 +83,8 @@ class ToldRows:
         }
         told = [link for link in links if link[0].relation in ("row", "rows", "columns") and alike(scene, link[1])]
         spaced = (link for link in links if link[0].relation == "apart" and not (link[2] or link[0].objects))
-        # how far apart rows are
-        self.aisle = {name: link.metres[0] for link, named, _ in spaced for name in named}
+        # how far apart things or their rows are
+        self.apart = {name: link.metres[0] for link, named, _ in spaced for name in named}
         # "1.2 m of free floor around the benches" is between them, too
         around = [
             link
@@ -101,7 +101,7 @@ class ToldRows:
         # of those that are side by side, the one that tells how the others are turned
         self.middle = {name: named[len(named) // 2] for named in abreast for name in named}
         self.gap = {name: max(link.metres[0], free.get(name, 0.0)) for link, named, _ in told for name in named}
-        self.aisle = free | self.aisle
+        self.aisle = free | self.apart
         counted = [(named, lines(scene, link, named)) for link, named, _ in told]
         facing = {name for link, named, _ in links if link.relation == "facing" for name in named}
         # what stands in rows of which no number is said and looks somewhere: in about as many rows as are usual
