@@ -113,3 +113,36 @@ def test_pictures_over_a_sofa_are_narrow_enough_for_all_of_them() -> None:
     scene, _ = scene_from_sentence("a living room with three pictures above the sofa")
     sofa = scene.by_name["sofa-0"].size[1]
     assert sum(one.size[1] for one in scene.assets if one.category == "picture") < sofa
+
+
+@pytest.mark.parametrize(
+    ("text", "below", "columns", "rows"),
+    [
+        ("a living room with three pictures above the sofa", "sofa", 3, 1),
+        ("a living room with six photos above the sofa", "sofa", 3, 2),
+        slow("a bedroom with four framed prints above the bed", "bed", 2, 2),
+    ],
+)
+def test_pictures_over_a_thing_hang_in_straight_rows_and_columns(
+    text: str, below: str, columns: int, rows: int
+) -> None:
+    """A body gets to none of them over a deep sofa: they are there to be looked at."""
+    result = made(text)
+    assert result.report.ok, result.report.violations
+    (low,) = of(result, below)
+    poses = [result.layout[name] for name in of(result, "picture")][: columns * rows]
+    across = {round(result.layout[low].seen(pose.at)[1], 2) for pose in poses}
+    assert (len(across), len({round(pose.z, 2) for pose in poses})) == (columns, rows)
+    assert sum(across) == pytest.approx(0.0, abs=0.05)
+
+
+def test_each_of_two_over_a_night_stand_hangs_over_the_other() -> None:
+    result = made("a bedroom with two pictures above each night stand")
+    assert result.report.ok, result.report.violations
+
+
+def test_the_usual_picture_of_a_bedroom_hangs_over_the_middle_of_its_bed() -> None:
+    result = made("a bedroom with a double bed and two night stands")
+    (bed,) = of(result, "bed")
+    across = [abs(result.layout[bed].seen(result.layout[name].at)[1]) for name in of(result, "picture")]
+    assert min(across) < 0.05

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
+from typing import Any
 
 import pytest
 import shapely
@@ -110,6 +111,30 @@ def test_ceiling_assets_need_no_reaching_but_unplaced_ones_fail():
     assert nav.reached == {"lamp-0": True, "box-0": False}
     assert nav.unreached == ()
     assert nav.reachable_share == 0.5
+
+
+@pytest.mark.parametrize(
+    ("category", "flags", "reached"),
+    [
+        ("picture", {}, True),
+        ("wall clock", {}, True),
+        ("mirror", {}, False),  # somebody stands before it
+        ("wall shelf", {}, False),
+        ("picture", {"use_sides": ("front",)}, False),  # a map with buttons
+        ("picture", {"on_floor": True}, False),  # leans on the wall
+    ],
+)
+def test_nobody_needs_to_get_to_what_hangs_on_a_wall_to_be_looked_at(
+    category: str, flags: dict[str, Any], reached: bool
+):
+    table = thing("table-0", (2.0, 2.0, 0.7))
+    hung = thing("hung-0", (0.03, 0.6, 0.4), category, **({"on_floor": False, "on_wall": True} | flags))
+    scene, layout = furnished(
+        square(), (table, on_floor(table, 1.0, 2.5)), (hung, on_floor(hung, 0.015, 2.5, bottom=1.4))
+    )
+    nav = navigation(scene, layout, DISC)
+    assert nav.reached["hung-0"] is reached
+    assert ("hung-0" in nav.passages) is not reached
 
 
 @pytest.mark.parametrize(("reach", "reached"), [(None, False), (0.79, False), (0.81, True)])

@@ -14,6 +14,7 @@ DATA = Path(__file__).parent / "data"
 ESTIMATE = "typical of common goods (estimate)"
 PLACES = ("floor", "wall", "ceiling", "object")
 SIDES = ("front", "back", "left", "right")
+ONLY_SEEN = ("picture", "wall clock", "air conditioner", "shop wall sign")  # roles of what is there to be looked at
 HEADS = ("group", "role")  # tables of a data file that are no records: what the planner calls its group, and roles
 
 
@@ -52,6 +53,11 @@ class Category:
     def dresses_windows(self) -> bool:
         """Whether it hangs before windows: curtains, blinds."""
         return self.role == "window dressing"
+
+    @property
+    def only_seen(self) -> bool:
+        """Whether nobody needs to get to it where it hangs on a wall: pictures, clocks; a mirror is stood before."""
+        return self.role in ONLY_SEEN and not self.use_sides
 
 
 @cache

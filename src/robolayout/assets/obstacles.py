@@ -29,6 +29,11 @@ def use_sides(asset: Asset) -> tuple[str, ...]:
     return () if category.movable else tuple(category.use_sides)
 
 
+def only_seen(asset: Asset) -> bool:
+    """Return whether an asset hangs on a wall to be looked at (a picture, a clock), so that nobody needs to get to it."""
+    return asset.on_wall and not (asset.on_floor or asset.on_object or asset.use_sides) and category_of(asset).only_seen
+
+
 def blocks(asset: Asset, z: float, agent: Agent) -> bool:
     """Return whether an asset whose box centre is `z` metres high intersects what the agent sweeps, [step, height]."""
     low, high = z - asset.size[2] / 2, z + asset.size[2] / 2

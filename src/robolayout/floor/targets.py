@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robolayout.assets import category_of
+from robolayout.assets.obstacles import only_seen
 from robolayout.floor.cells import Floats
 from robolayout.scene import Agent, Asset, Scene
 from robolayout.scene.agent import BODY, horizontal_reach
@@ -58,14 +59,16 @@ def use_of(asset: Asset, bottom: float, agent: Agent, *, carried: bool) -> tuple
 
 
 def targets_of(contents: RoomContents, agent: Agent) -> Targets:
-    """Return what a body must get to; rugs and what hangs from the ceiling need no reaching.
+    """Return what a body must get to; rugs, pictures and what hangs from the ceiling need no reaching.
 
     A body with an arm moves chairs away: movable things that stand on the floor and carry nothing.
     """
     assets, parent = contents.scene.assets, np.array(contents.parent, dtype=np.intp)
     rise = np.array([asset.size[2] for asset in assets]) / 2
     bottom, top = contents.heights - rise, contents.heights + rise
-    slots = np.array([i for i, a in enumerate(assets) if not (a.is_flat or a.on_ceiling)], dtype=np.intp)
+    slots = np.array(
+        [i for i, a in enumerate(assets) if not (a.is_flat or a.on_ceiling or only_seen(a))], dtype=np.intp
+    )
     reach, sides = np.full(len(slots), agent.reach), np.zeros((len(slots), len(SIDES)), dtype=np.bool_)
     for row, slot in enumerate(slots.tolist()):
         use = use_of(assets[slot], float(bottom[slot]), agent, carried=bool(parent[slot] >= 0))

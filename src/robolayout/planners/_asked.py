@@ -21,7 +21,7 @@ from robolayout.constraints.under import Under
 from robolayout.planners._knowledge import ON_ANY, Join, usual_say
 from robolayout.planners._roles import Cast, chain, elsewhere
 from robolayout.planners._said import amidst_the_room, audience, hung_over, looked_at, ringed, said, subjects
-from robolayout.program import Program
+from robolayout.program import HEAVIEST, Program
 from robolayout.scene import Scene
 from robolayout.words import Demand
 
@@ -77,7 +77,8 @@ def asked_lines(scene: Scene, demands: Sequence[Demand], known: set[str]) -> dic
     beside = [*under, *(two[1] for two in sides if len(two) == 2 and two[0] in under)]
     # several that hang in a row need more wall without a window
     many = Counter(one.asset_names()[1] for one in said(of_known) if one.name == "above")
-    aside = {name: f"weight={IN_THE_LIGHT * max(many[name], 1) ** 2:g}" for name in beside}
+    dislike = {name: max(IN_THE_LIGHT * max(many[name], 1) ** 2, -HEAVIEST) for name in beside}
+    aside = {name: f"weight={weight:g}" for name, weight in dislike.items()}
     return lines | {f"solver.wish.at_window({scene.expressions[name]}, {aside[name]})": name for name in beside}
 
 

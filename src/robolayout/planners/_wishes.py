@@ -266,12 +266,15 @@ class RoomWishes:
         return kind
 
     def _side_by_side(self, thing: NamedThing, size: Size) -> Size:
-        """Return the size of one of several that hang over a thing, narrow enough for all of them if that is wide enough."""
+        """Return the size of one of several that hang over a thing, narrow enough for all of them in a row or two."""
         links = (k for k in self.reading.parsed.links if k.relation == "above" and thing in named(k.subjects))
         over = [self.lexicon.kinds[at.thing.noun.kind].size[1] for k in links for at in mentions(k.objects[:1])]
-        share = min(over, default=0.0) / thing.count - HUNG_APART
-        narrower = "wall" in thing.places and thing.count > 1 and share >= LEAST_HUNG
-        return (size[0], round(min(size[1], share), 2), size[2]) if narrower else size
+        if not over or "wall" not in thing.places or thing.count < 2:
+            return size
+        in_a_row = sorted({thing.count, max(2, math.ceil(thing.count / 2))}, reverse=True)
+        shares = (min(over) / count - HUNG_APART for count in in_a_row)
+        share = next((share for share in shares if share >= LEAST_HUNG), size[1])
+        return (size[0], round(min(size[1], share), 2), size[2])
 
     def _large_enough(self, thing: NamedThing, size: Size) -> Size:
         """Return the size of a thing with room for what is to lie on it, where it is a rug, or to sit before it in a line."""

@@ -58,6 +58,7 @@ class Writer:
         self.cornered = {one.asset_names()[0] for one in asked.said(words) if one.name == "corner"}
         self.looked, self.beside = asked.looked_at(words), asked.open_beside(words)
         self.below = asked.hung_over(scene, words)  # nothing else hangs there
+        self.over = {one.asset_names()[0] for one in asked.said(words) if one.name == "above"}  # they hang nowhere else
         self.middle, self.lain = asked.in_the_middle(words), asked.lain_at(words)
 
     def order(self) -> list[str]:
@@ -242,7 +243,7 @@ class Writer:
         yield from self._fill(item.role.say[mode], values, SAYING.joined if item.name in self.formed else None)
         if mode == "hang" and (high := item.role.hung(item.asset.size[2])):
             yield _wish(f"mounted_on({a}, None, {high:g})")
-        if mode == "hang" and over:
+        if mode == "hang" and over and item.name not in self.over:
             yield _wish(_either([f"above({a}, {self._name(n)})" for n in over]))
         if mode == "ceiling" and owner is None:
             yield _wish(f"centered_on({a}, room)")

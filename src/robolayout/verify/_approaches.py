@@ -193,4 +193,4 @@ def use_sides(assets: tuple[Asset, ...]) -> tuple[tuple[str, ...], ...]:
 def needs_no_use(found: Boxes) -> NDArray[np.bool_]:
     """Return (n,) what nobody needs to get to: rugs, ceiling lamps, what is used from no side."""
     idle = np.array([not sides for sides in use_sides(found.assets)], dtype=bool)
-    return found.flat | found.ceiling | idle
+    return found.needs_no_reach | idle

@@ -36,6 +36,7 @@ class Boxes:
     top: NDArray[np.float64]  # (n,) metres; NaN where unplaced
     flat: NDArray[np.bool_]  # (n,) whether it is a rug
     ceiling: NDArray[np.bool_]  # (n,) whether it hangs from the ceiling
+    needs_no_reach: NDArray[np.bool_]  # (n,) whether nobody needs to get to it: a rug, a lamp on the ceiling, a picture
     movable: NDArray[np.bool_]  # (n,) whether a person moves it in daily use, as a chair
 
     @cached_property
@@ -221,6 +222,11 @@ def prism_table(asset: Asset) -> tuple[NDArray[np.float64], NDArray[np.float64],
     return np.array([prism.outline for prism in shape]), ends[:, 0], ends[:, 1]
 
 
+def _only_seen(asset: Asset) -> bool:
+    hung = (asset.on_wall, asset.on_floor, asset.on_object) == (True, False, False)
+    return hung and not asset.use_sides and category_of(asset).only_seen
+
+
 @lru_cache(maxsize=32)
 def _fixed(assets: tuple[Asset, ...]) -> tuple[NDArray[np.float64], dict[str, Any]]:
     """Return what does not depend on where assets stand: their sizes (n, 3), and fields of `Boxes`."""
@@ -229,6 +235,7 @@ def _fixed(assets: tuple[Asset, ...]) -> tuple[NDArray[np.float64], dict[str, An
         "names": tuple(asset.name for asset in assets),
         "flat": np.array([asset.is_flat for asset in assets], dtype=bool),
         "ceiling": np.array([asset.on_ceiling for asset in assets], dtype=bool),
+        "needs_no_reach": np.array([a.is_flat or a.on_ceiling or _only_seen(a) for a in assets], dtype=bool),
         "movable": np.array([category_of(asset).movable for asset in assets], dtype=bool),
     }
 

@@ -171,7 +171,7 @@ def plan_distances(found: Boxes, space: Space, reach: float) -> NDArray[np.float
     """Return metres from each footprint to where a disc can be; infinite if it cannot come in, NaN where unplaced."""
     distances = standing_distances(found, space)
     if space.blocking.movables and not space.main.is_empty:
-        asked = found.placed & ~(found.flat | found.ceiling)
+        asked = found.placed & ~found.needs_no_reach
         for row in np.flatnonzero(asked & (distances > reach + ROUNDING)).tolist():
             moved = space.blocking.moved_for(found, row)
             beyond = shapely.distance(space.opened(moved), found.footprints[row]) if moved else ()
@@ -180,8 +180,8 @@ def plan_distances(found: Boxes, space: Space, reach: float) -> NDArray[np.float
 
 
 def reached_rows(found: Boxes, distances: NDArray[np.float64], reach: float) -> NDArray[np.bool_]:
-    """Return which assets are reached from where the agent can be; ceiling assets and rugs need no reaching."""
-    return found.placed & (found.flat | found.ceiling | (distances <= reach + ROUNDING))
+    """Return which assets are reached from where the agent can be; rugs, pictures and what hangs from the ceiling need no reaching."""
+    return found.placed & (found.needs_no_reach | (distances <= reach + ROUNDING))
 
 
 def reached_by(found: Boxes, space: Space, reach: float) -> NDArray[np.bool_]:

@@ -165,7 +165,7 @@ class Navigation:
     @cached_property
     def _wanted(self) -> tuple[str, ...]:
         found = self.boxes
-        rows = np.flatnonzero(found.placed & ~found.flat & ~found.ceiling).tolist()
+        rows = np.flatnonzero(found.placed & ~found.needs_no_reach).tolist()
         return tuple(found.names[row] for row in rows if not found.assets[row].lies_about)
 
     def __repr__(self) -> str:

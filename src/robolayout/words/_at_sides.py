@@ -118,20 +118,23 @@ class AtSides(AtPlaces):
     def _above(self, it: Asked) -> Iterator[Demand]:
         """Over a thing, on the wall where it hangs there, or on it; one thing over the middle of several, else over one of them.
 
-        What hangs over a thing that is too narrow for all of them hangs one over the other.
+        What hangs over a thing that is too narrow for all of them hangs in rows, one over the other.
         """
         if len(it.subjects) == 1 and len(it.others) > 1 and not self._asset(it.subjects[0]).on_object:
             over = tuple(stated("above", AssetRef(it.subjects[0]), AssetRef(b)) for b in it.others)
             yield Demand((over, *((one,) for one in over)))
             return
-        last, many = dict[str, str](), Counter(b for _, b in it.twos)
+        hung, many = dict[str, list[str]](), Counter(b for _, b in it.twos)
         for a, b in it.twos:
-            below = last.get(b, b)
+            row, fit = hung.setdefault(b, []), many[b]
+            if self._only_wall(a):
+                rows = math.ceil(many[b] / math.ceil(self._asset(b).size[1] / self._asset(a).size[1]))
+                fit = math.ceil(many[b] / rows)
+            below = row[-fit] if len(row) >= fit else b
+            row.append(a)
             above, on_top = (stated(how, AssetRef(a), AssetRef(below)) for how in ("above", "on_top_of"))
-            hung = (stated("mounted_on", AssetRef(a)),) if self._asset(a).on_wall else ()
-            yield Demand(((*hung, above), (on_top,))) if self._asset(a).on_object else single(above)
-            if self._only_wall(a) and (many[b] - 1) * self._asset(a).size[1] >= self._asset(b).size[1]:
-                last[b] = a
+            at_wall = (stated("mounted_on", AssetRef(a)),) if self._asset(a).on_wall else ()
+            yield Demand(((*at_wall, above), (on_top,))) if self._asset(a).on_object else single(above)
 
     def _across_a_top(self, b: str, items: Sequence[str], sided: str) -> Iterator[Way]:
         """Yield how two who sit at a table or desk look at each other over it: who has a manicure, and who gives it."""

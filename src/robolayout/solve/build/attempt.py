@@ -196,9 +196,11 @@ class BuildPass:
             if alone and item.name not in self.site.spots and (item.name in self.site.late) == last:
                 by_kind.setdefault(item.kind, []).append(item)
         nudge = 0.0 if self.calm else COSTS.shuffle
+        below = {under for name in self.site.late for under in asked_below(self.site, name)}
+        early = below | {*self.first}  # what other things are asked to hang over needs a wall that has room for them
         turns = [
             (
-                turn + nudge * self.rng.normal() - len(by_kind) * any(item.name in self.first for item in items),
+                turn + nudge * self.rng.normal() - len(by_kind) * any(item.name in early for item in items),
                 turn,
                 items,
             )

@@ -11,7 +11,7 @@ from itertools import groupby
 import numpy as np
 import shapely
 
-from robolayout.assets.obstacles import use_sides
+from robolayout.assets.obstacles import only_seen, use_sides
 from robolayout.constraints.above import Above
 from robolayout.floor import rect_points
 from robolayout.scene import Agent, Opening, Point, Wall
@@ -47,6 +47,8 @@ class Hanging:
     juts_out: float = 12.0  # cost of hanging in the way of a body
     thin: float = 0.1  # metres that a thing may stand out from its wall without being in the way
     centred: float = 0.03  # metres off the middle of what it belongs over
+    # cost of a metre that a row hangs beside the middle of what it is over, or the upper of two rows beside the lower
+    shifted: float = 12.0
     dressing: float = 8.0  # what it is worth that a curtain or blind hangs before the middle of a window
     take_hold: float = 0.05  # metres that a thing begins below the top of the reach
 
@@ -77,6 +79,12 @@ def asked_below(site: Site, name: str) -> list[str]:
     return [part.b.name for part in asked if part.a.name == name]
 
 
+def _tier_below(site: Site, name: str) -> list[Member]:
+    """Return what a thing is asked to hang above and hangs itself: the lower row of pictures."""
+    below = (site.spots[other] for other in asked_below(site, name) if other in site.spots)
+    return [spot.member for spot in below if spot.mode == "hang"]
+
+
 def _hang_over(site: Site, below: str, names: Sequence[str]) -> bool:
     """Hang things in a row over one that stands at a wall; False where it does not, or is too narrow for them."""
     spans = [one for one in site.spans if one.name == below and one.depth <= AT_WALL]
@@ -88,7 +96,7 @@ def _hang_over(site: Site, below: str, names: Sequence[str]) -> bool:
     slack = (long - pitch * (len(names) - 1)) / 2
     shifts = sorted((0.0, *np.arange(-slack, slack, HANGING.step)), key=abs)
     middle = (span.rect[0] + span.rect[2]) / 2
-    places = [(site.room.walls[span.wall], middle + shift) for shift in shifts]
+    places = [(site.room.walls[span.wall], middle + shift, HANGING.shifted * abs(shift)) for shift in shifts]
     return pitch > wide and _hang_row(site, names, pitch, places)
 
 
@@ -99,19 +107,23 @@ def _hang_before(site: Site, names: Sequence[str]) -> bool:
         return False
     wide = max(site.size(want.name)[1] for (want,) in before) + HANGING.between
     clusters, half = [site.clusters.build(want.name) for (want,) in before], wide * len(names) / 2
-    places = [(wall, t) for wall in site.room.walls for t in np.arange(half, wall.length - half, HANGING.step)]
+    places = [(wall, t, 0.0) for wall in site.room.walls for t in np.arange(half, wall.length - half, HANGING.step)]
     return _hang_row(site, names, wide, places, clusters)
 
 
 def _hang_row(
-    site: Site, names: Sequence[str], pitch: float, places: Sequence[tuple[Wall, float]], before: Sequence[Cluster] = ()
+    site: Site,
+    names: Sequence[str],
+    pitch: float,
+    places: Sequence[tuple[Wall, float, float]],
+    before: Sequence[Cluster] = (),
 ) -> bool:
     """Hang things so far apart around the best of some places, by what stands before each; False where all are taken."""
     along = [pitch * (i - (len(names) - 1) / 2) for i in range(len(names))]
     best, row = HANGING.crowded if before else HANGING.covered, list[Spot]()
-    for wall, t in places:
+    for wall, t, aside in places:
         found = [_hang_cost(site, name, wall, t + off) for name, off in zip(names, along, strict=True)]
-        cost = sum(cost for cost, _ in found) / len(names)
+        cost = aside + sum(cost for cost, _ in found) / len(names)
         cost += sum(map(partial(_clash_before, site), before, (spot for _, spot in found)))
         if cost < best:
             best, row = cost, [spot for _, spot in found]
@@ -145,6 +157,8 @@ def _hang(site: Site, name: str, rng: np.random.Generator) -> None:
         mine = [*stretch]  # the rows of what is said are those of one stretch of wall
         costs[mine] += site.missed([Member(name)], poses[mine])
     costs += wished(site, name, poses[:, :2], site.wants[name].weights)
+    for one in _tier_below(site, name):
+        costs += HANGING.shifted * np.hypot(*(poses[:, :2] - (one.x, one.y)).T)
     spot = spots[int(np.argmin(costs + 0.2 * rng.random(len(spots))))]
     site.settle(name, spot)
     if site.standings and _juts_out(site, spot.member) > 0:
@@ -164,6 +178,7 @@ def _hang_offsets(site: Site, name: str, wall: Wall) -> list[float]:
     marks = [wall.length / 2, *np.arange(low + 0.04, high, HANGING.step)]
     marks += [(span.rect[0] + span.rect[2]) / 2 for span in site.spans if span.wall == wall.index]
     marks += [window.center for window in _dressed(site, name, wall)]
+    marks += [wall.place((one.x, one.y))[0] for one in _tier_below(site, name)]
     return sorted({round(float(t), 3) for t in marks if low <= t <= high})
 
 
@@ -212,7 +227,8 @@ def _hang_cost(site: Site, name: str, wall: Wall, t: float) -> tuple[float, Spot
     covered = site.wall_conflict(rect, takers, HANGING.apart)
     cost = HANGING.covered * (covered > 0.0) + 20.0 * covered
     cost += HANGING.out_of_reach * (used and middle - height / 2 > top + HANGING.take_hold)
-    cost += HANGING.covered * (owner is None and 0.0 < want.height < middle - HANGING.raised)
+    out_of_place = owner is None and 0.0 < want.height < middle - HANGING.raised
+    cost += HANGING.covered * (out_of_place and not asked_below(site, name))
     cost += 1.2 * site.wall_conflict((rect[0] - 0.4, rect[1], rect[2] + 0.4, rect[3]), takers)
     cost += 0.8 * abs(t - wall.length / 2) / wall.length * (1 + want.weights.get("mid_wall", 0.0)) - bonus
     cost += max(want.walls.values(), default=0.0) - want.walls.get(wall.index, 0.0)
@@ -243,8 +259,8 @@ def _below(site: Site, name: str, wall: Wall, t: float) -> tuple[str | None, flo
             return span.name, 6.0 - over.index(span.name), max(top, span.rect[3]), ahead
     under = asked_below(site, name)
     coming = [site.size(other)[2] for other in under if other not in site.spots and site.wants[other].standing]
-    hung = (site.spots[other].member for other in under if other in site.spots and site.spots[other].mode == "hang")
-    return None, 0.0, max(top, *coming[:1], *(one.bottom + site.size(one.name)[2] for one in hung), 0.0), ahead
+    tier = (one.bottom + site.size(one.name)[2] for one in _tier_below(site, name))
+    return None, 0.0, max(top, *coming[:1], *tier, 0.0), ahead
 
 
 def _used_room(site: Site, name: str, member: Member) -> float:
@@ -266,7 +282,7 @@ def _crowding(site: Site, name: str, member: Member) -> float:
     before = [site.size(want.name)[1] for want in _standing_before(site, name)]
     if before:
         return HANGING.crowded * sum(max(0.0, max(before) + HANGING.between - far) for far in away)
-    if any(weight > 0 for _, weight in site.wants[name].near):
+    if asked_below(site, name) or any(weight > 0 for _, weight in site.wants[name].near):
         return 0.0
     return sum(max(0.0, 2.0 - far) for far in away)
 
@@ -288,7 +304,7 @@ def _juts_out(site: Site, member: Member) -> float:
 
 def _far(site: Site, name: str, member: Member) -> float:
     """Return a cost for hanging where some agent cannot reach or use it; nothing while the floor is still empty."""
-    if not site.standings:
+    if not site.standings or only_seen(site.scene.by_name[name]):
         return 0.0
     return 10.0 * (not site.serves(site.claim(Spot(member, "hang"))))
 

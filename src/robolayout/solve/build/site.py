@@ -15,6 +15,7 @@ import numpy as np
 import shapely
 from numpy.typing import NDArray
 
+from robolayout.assets.obstacles import only_seen
 from robolayout.floor import (
     FLOOR,
     Cells,
@@ -332,7 +333,9 @@ class Site:
         """Record where one asset is, the floor that it takes and the walls that it covers."""
         self.spots[name] = spot
         if spot.mode not in ("ceiling", "rug"):
-            claim = self.claims[name] = self.claim(spot)
+            claim = self.claim(spot)
+            if not only_seen(self.scene.by_name[name]):
+                self.claims[name] = claim
             if claim.shadow is not None:
                 self.floor.take(claim.shadow)
             if not self.trial:
