@@ -29,10 +29,32 @@ def rows(text: str) -> list[Unjudged]:
         ("a bedroom with a desk on the north side of the room", "zone(desk-0, "),
         ("an office with a cabinet along the windowless wall", "against_wall(cabinet-0, walls["),
         ("a classroom with a teacher's desk and a whiteboard behind the teacher", "behind(whiteboard-0, teacher_desk-0"),
+        ("a bedroom with two single beds half a metre apart", "single_bed-0 0.5 to 0.8 m from single_bed-1"),
+        ("a study with a desk a metre from the window", "desk-0 1 to 1.3 m from ("),
+        ("a pharmacy with three shelves in parallel", "in_rows([shop_shelf-0, shop_shelf-1, shop_shelf-2], aisle=0, 3)"),
+        ("a hallway with a bench and a coat rack above the bench", "above(wall_hooks-0, bench-0)"),
+        ("a kitchen with a table, I can get to all sides of the table", "keep_clear(dining_table-0, [chair-0"),
     ],
 )  # fmt: skip
 def test_a_phrase_asks_for_what_it_says(text: str, meant: str) -> None:
     assert any(row.understanding.startswith(meant) for row in rows(text)), [row.understanding for row in rows(text)]
+
+
+@pytest.mark.parametrize(
+    ("text", "seats"),
+    [
+        ("a living room where nobody sits with their back to the door: a sofa and an armchair", 2),
+        ("an office with three desks, no chair with its back to the door", 3),
+        ("a living room with a sofa and two armchairs; no one should have the back to the TV", 3),
+        ("a study with a desk; the desk must not have its back to the door", 1),
+    ],
+)
+def test_no_back_to_something_leaves_every_other_heading(text: str, seats: int) -> None:
+    """It was read as what it refuses: the back to the door."""
+    (row,) = rows(text)
+    assert [len(demand.ways) for demand in row.demands] == [3] * seats
+    angles = {getattr(part, "angle", None) for way in row.demands[0].ways for (part,) in [way]}
+    assert len(angles) == 3 and ("TV" not in text or 180.0 not in angles)
 
 
 @pytest.mark.parametrize(

@@ -51,7 +51,7 @@ class Added:
         self.asked = {*map(wishes.head, wishes.things), *({"bed"} & {*map(wishes.head, self.wished)})}
         self.lasts = {name.split()[-1] for name in wishes.things if INSTEAD.get(name) != name} | wishes.general
         said = wishes.reading.parsed.links
-        links = [link for link in said if link.relation in ("on", "above")]
+        links = [link for link in said if link.relation in ("on", "above", "atwalls")]
         laid = {mention.thing.noun.kind for link in links for mention in link.subjects}
         under = [link for link in said if link.relation == "under" and not any(one.flat for one in link.subjects)]
         below = [link for link in under if any(one.laid for one in link.subjects)]

@@ -259,7 +259,7 @@ class RoomWishes:
                 kind = replace(kind, on_object=True, on_wall=False, on_ceiling=False, on_floor=False)
             if "ceiling" in places and not kind.on_ceiling:
                 kind = replace(kind, on_ceiling=True, on_floor=False, on_wall=False, on_object=False)
-            if link.relation == "on" and "wall" in places and kind.on_wall and kind.on_object:
+            if link.relation in ("on", "atwalls") and "wall" in places and kind.on_wall and kind.on_object:
                 kind = replace(kind, on_object=False, size=(min(kind.size[0], FOOTLESS), *kind.size[1:]))
             if link.relation == "stacked":
                 kind = replace(kind, on_object=True)

@@ -13,7 +13,7 @@ from robolayout.assets import category_of
 from robolayout.assets.beneath import places_beneath
 from robolayout.constraints import AssetRef, PointRef, Relation, WallRef
 from robolayout.constraints.around import Around
-from robolayout.scene import ROUNDING
+from robolayout.scene import ROUNDING, Wall
 from robolayout.words import _function_words as small
 from robolayout.words import _ways as ways_of
 from robolayout.words._places import COMPASS, Asked, AtPlaces, openings_meant, opposed, walls_meant
@@ -152,6 +152,34 @@ class AtSides(AtPlaces):
         fronts = sorted(it.subjects, key=lambda a: -self._asset(a).size[1])
         ways = tuple((stated("keep_clear", AssetRef(a), "front", wide),) for a in fronts)
         yield Demand(ways, FreeDisc(wide, near, within))
+
+    def _not_turned(self, it: Asked, back: float) -> Iterator[Demand]:
+        """Not looking at a thing, a wall, or the wall of a door or window, or not with its back to it: turned by a right angle or two."""
+        for a in it.subjects:
+            looks = self._looks(a)[0] + back
+            yield from (
+                single(
+                    *(stated("point_towards", AssetRef(a), AssetRef(b), angle) for angle in (90.0, 180.0 - back, 270.0))
+                )
+                for b in it.others
+            )
+            walls = [wall for place in it.places for wall in self._walls_at(place)]
+            for wall in walls[:1]:
+                (dx, dy), (nx, ny) = wall.direction, wall.normal
+                square = {0.0: (dx, dy), 90.0: (nx, ny), 180.0: (-dx, -dy), 270.0: (-nx, -ny)}
+                to = ((angle, square[(angle + looks) % 360.0]) for angle in square)
+                free = [angle for angle, way in to if not any(opposed(one.normal, way) for one in walls)]
+                if free:
+                    yield single(*(stated("align_with", AssetRef(a), WallRef(wall.index), angle) for angle in free))
+
+    _averted = partialmethod(_not_turned, back=0.0)
+    _faced = partialmethod(_not_turned, back=180.0)
+
+    def _walls_at(self, place: Place) -> list[Wall]:
+        """Return the walls that a place is or is in."""
+        if place.name in ("door", "window"):
+            return [self.room.walls[opening.wall] for opening in openings_meant(self.room, place)]
+        return walls_meant(self.room, place) if place.name == "wall" else []
 
     def _off_walls(self, a: str, side: str, metres: float) -> Iterator[Way]:
         """Yield the ways in which a side of a thing, which stands at a wall or free, is so far from the wall that it looks at."""

@@ -74,8 +74,10 @@ class Demander(AtSides):
         if relation != "stacked":
             piled = {name for thing in self.stacked for name in self.names.get(thing, ())[1:]}
             it = replace(it, subjects=[name for name in it.subjects if name not in piled])
-        if relation in ("open", "bare", "turning"):
-            it = replace(it, subjects=[one.name for one in self.scene.assets if one.on_floor and not one.is_flat])
+        if relation in ("open", "bare", "turning") or (relation == "faced" and not link.subjects):
+            seats = small.SEATS if relation == "faced" else ()
+            there = (one for one in self.scene.assets if one.on_floor and not one.is_flat)
+            it = replace(it, subjects=[one.name for one in there if not seats or self._is(one.name, seats)])
         if not it.subjects:
             return ()
         if relation == "cleared":

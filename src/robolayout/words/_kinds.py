@@ -100,7 +100,7 @@ def _settle_drawn(parsed: Parsed) -> None:
         parsed.things.remove(thing)
         parsed.facts += [Chunk("function", *span, thing.noun.said) for span in thing.spans]
         about = (replace(k, subjects=tuple(one for one in k.subjects if one.thing is not thing)) for k in parsed.links)
-        parsed.links[:] = [link for link in about if link.subjects or link.relation == "bare"]
+        parsed.links[:] = [link for link in about if link.subjects or link.relation in ("bare", "faced")]
 
 
 def _take(thing: NamedThing, kind: str) -> None:

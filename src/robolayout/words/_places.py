@@ -391,29 +391,6 @@ class AtPlaces:
             for point in (*map(AssetRef, it.others), *self._points(it.place)):
                 yield single(stated("point_towards", AssetRef(a), point, angle))
 
-    def _averted(self, it: Asked) -> Iterator[Demand]:
-        """Not looking at a thing, a wall, or the wall of a door or window: turned by a right angle or two from that."""
-        for a in it.subjects:
-            looks = self._looks(a)[0]
-            yield from (
-                single(*(stated("point_towards", AssetRef(a), AssetRef(b), angle) for angle in (90.0, 180.0, 270.0)))
-                for b in it.others
-            )
-            walls = [wall for place in it.places for wall in self._walls_at(place)]
-            for wall in walls[:1]:
-                (dx, dy), (nx, ny) = wall.direction, wall.normal
-                square = {0.0: (dx, dy), 90.0: (nx, ny), 180.0: (-dx, -dy), 270.0: (-nx, -ny)}
-                to = ((angle, square[(angle + looks) % 360.0]) for angle in square)
-                free = [angle for angle, way in to if not any(opposed(one.normal, way) for one in walls)]
-                if free:
-                    yield single(*(stated("align_with", AssetRef(a), WallRef(wall.index), angle) for angle in free))
-
-    def _walls_at(self, place: Place) -> list[Wall]:
-        """Return the walls that a place is or is in."""
-        if place.name in ("door", "window"):
-            return [self.room.walls[opening.wall] for opening in openings_meant(self.room, place)]
-        return walls_meant(self.room, place) if place.name == "wall" else []
-
     def _diagonal(self, it: Asked) -> Iterator[Demand]:
         """Turned by an eighth or three eighths from a wall."""
         for a in it.subjects:

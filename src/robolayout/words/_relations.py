@@ -307,13 +307,15 @@ class Relating(About):
         barred = chunk.value in ("blocks", "wall")
         if place and place.name == "floor":  # "no rugs on the floor"
             self._understood(chunk)
+        elif self.empty and chunk.value == "turnedfrom" and objects:  # "nobody sits with the back to the door"
+            self.said.links.append(Link("faced", (), tuple(objects), chunk.start, chunk.end))
         elif self.empty and place:
             self._keep_empty(chunk, objects)
         elif self.negated and subjects and (chunk.value in small.NEARNESS or (barred and place)):
             gap = Measure("apart", (KEPT_OFF, math.inf), 0, 0)
             self._link(replace(chunk, value="apart", measure=gap), subjects, objects)
-        elif self.negated and subjects and objects and chunk.value in ("facing", "opposite"):
-            self._link(replace(chunk, value="averted"), subjects, objects)
+        elif self.negated and subjects and objects and chunk.value in ("facing", "opposite", "turnedfrom"):
+            self._link(replace(chunk, value="faced" if chunk.value == "turnedfrom" else "averted"), subjects, objects)
         self.refusing = False
 
     def _keep_empty(self, chunk: Chunk, objects: Sequence[Item]) -> None:

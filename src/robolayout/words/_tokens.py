@@ -30,7 +30,7 @@ AFTER_AN_AGE = ("with", "and", "who", "that", "in", "to", "should", "is")
 """Years up to which somebody is a child, and from which on an adult; who is "of six"; words before which an age stands by itself."""
 
 _WORDS = "|".join(word for word in NUMBERS if word not in ("a", "an", "no", *VAGUE))
-_N = rf"(\d+(?:[.,]\d+)?|\b(?:{_WORDS})\b)"
+_N = rf"(\d+(?:[.,]\d+)?|\b(?:{_WORDS})\b|\b(?:(?:half )?an?|a couple of)(?= met(?:re|er)s?\b))"
 _INCHES = r"(?:feet|foot|ft|')[ -]?\d+(?:\.\d+)?\s?(?:inches|inch|in\b|''|\")|'\d{1,2}(?!\d)"
 _LENGTHS = rf"{_INCHES}|metres?|meters?|m\b|cm\b|mm\b|centimet(?:re|er)s?|feet|foot|ft\b|inches|inch|['\"]"
 _U = rf"[\s-]*({_LENGTHS}|in\b)?"
@@ -286,7 +286,8 @@ def metres(number: str, unit: str | None, fallback: str | None = None) -> float:
 
 
 def _number(text: str) -> float:
-    return float(NUMBERS[text.lower()]) if text.lower() in NUMBERS else float(text.replace(",", "."))
+    known = NUMBERS | {"half a": 0.5, "a couple of": 2.0}
+    return float(known[text.lower()]) if text.lower() in known else float(text.replace(",", "."))
 
 
 def count_of(word: str) -> int | None:
