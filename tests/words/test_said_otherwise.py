@@ -34,10 +34,36 @@ def rows(text: str) -> list[Unjudged]:
         ("a pharmacy with three shelves in parallel", "in_rows([shop_shelf-0, shop_shelf-1, shop_shelf-2], aisle=0, 3)"),
         ("a hallway with a bench and a coat rack above the bench", "above(wall_hooks-0, bench-0)"),
         ("a kitchen with a table, I can get to all sides of the table", "keep_clear(dining_table-0, [chair-0"),
+        ("a bathroom with two sinks under a wide mirror, a large tub by the window", "above(mirror-0, washbasin-0)"),
+        ("a sofa in the corner of the living room with the TV", "point_towards(sofa-0, television-0)"),
+        ("a cinema with two rows of three seats, the second row 1.2 m behind the first", "in_rows([theater_seat-0, "),
+        ("a reading room with two armchairs, a table between them and a bookcase behind one of them", "behind(bookshelf-0, armchair-0"),
     ],
 )  # fmt: skip
 def test_a_phrase_asks_for_what_it_says(text: str, meant: str) -> None:
     assert any(row.understanding.startswith(meant) for row in rows(text)), [row.understanding for row in rows(text)]
+
+
+@pytest.mark.parametrize("kind", ["door", "window"])
+def test_all_walls_but_one_are_those_without_its_door_or_window(kind: str) -> None:
+    text = f"a library with bookshelves along all walls except the one with the {kind}"
+    scene, _ = scene_from_sentence(text)
+    holes = {opening.wall for opening in (scene.room.doors if kind == "door" else scene.room.windows)}
+    (row,) = rows(text)
+    walls = {int(said.sentence().split("walls[")[1][0]) for said in row.said}
+    assert walls == {wall.index for wall in scene.room.walls} - holes
+
+
+def test_openings_leave_room_for_what_the_words_put_there() -> None:
+    """A counter at the back of a shop stood by its door; a bed in the middle of a wall before the window of the chair."""
+    shop, _ = scene_from_sentence("a boutique with a checkout counter at the back")
+    bedroom, _ = scene_from_sentence(
+        "a bedroom with a bed centered on the wall opposite the door and a reading chair by the window"
+    )
+    assert shop.room.walls[shop.room.doors[0].wall].normal != (0.0, -1.0)
+    (bed,) = [row for row in rows(bedroom.task_description) if row.things == ("bed-0",)]
+    held = {int(said.sentence().split("walls[")[1][0]) for said in bed.said}
+    assert held.isdisjoint(opening.wall for opening in bedroom.room.windows)
 
 
 @pytest.mark.parametrize(

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence, Set
+from collections.abc import Collection, Iterator, Sequence, Set
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -85,6 +85,11 @@ def with_openings(
     room, taken = replace(room, doors=tuple(doors)), {d.wall for d in doors}
     high = _held(room, wishes, OPENINGS.sill)
     taken |= high if len(taken | high) < len(order) else set[int]()
+    lit_up = {m.thing.noun.kind for k in wishes.reading.parsed.links if places(k.objects, "window") for m in k.subjects}
+    low = (
+        _held(room, wishes, 0.0, lit_up) if lit_up else set[int]()
+    )  # no bed stands where another thing is by the window
+    taken |= low if len(taken | low) < len(order) else set[int]()
     free = [i for i in order if i not in taken]
     asked, amid = _wanted(wishes.reading, "window", more, OPENINGS.most_windows), _amid(wishes.reading)
     if amid:
@@ -137,6 +142,12 @@ def _placed(room: Room, wishes: RoomWishes, name: str) -> Iterator[tuple[list[li
         there = [wishes.kinds[mention.thing.noun.kind] for mention in link.subjects]
         if name == "wall" and link.relation == "end":  # a screen at the head of a table
             yield [_meant(room, Place("wall", ("short",)))], there
+        if (
+            name == "wall"
+            and not room.doors
+            and any({"back", "rear"} & {*at.words} for at in places(link.objects, "side"))
+        ):
+            yield [_meant(room, Place("wall", ("back",)))], there  # a counter at the back of a shop is not by its door
         for place in places(link.objects, name):
             known = {*COMPASS, "long", "short"} if room.doors else {*COMPASS}
             words = {walls[word] for word in place.words if walls.get(word) in known}
@@ -145,10 +156,11 @@ def _placed(room: Room, wishes: RoomWishes, name: str) -> Iterator[tuple[list[li
                 yield [_meant(room, place)], there
 
 
-def _held(room: Room, wishes: RoomWishes, least: float) -> set[int]:
-    """Return the walls at which something is asked to stand; with a height what is lower counts only if it hangs."""
+def _held(room: Room, wishes: RoomWishes, least: float, but: Collection[str] = ()) -> set[int]:
+    """Return the walls at which something but some kinds is asked to stand; with a height what is lower counts only if it hangs."""
     found = set[int]()
-    for walls, there in _placed(room, wishes, "wall"):
+    for walls, kinds in _placed(room, wishes, "wall"):
+        there = [kind for kind in kinds if kind.name not in but]
         if any((kind.on_floor and kind.size[2] >= least) or (least and kind.on_wall) for kind in there):
             found.update(*walls)
     return found

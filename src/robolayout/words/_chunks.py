@@ -87,7 +87,8 @@ class Chunker(ClosedWords):
         begins = end + 1 + (self._word(end) == "," and self._word(end + 1) == "and")
         joined = end > first and self._word(end) in ("and", ",") and self._leads(at) and self._leads(begins)
         chunk = (self._noun_later(begins) or self._noun_phrase(begins)) if joined else None
-        if chunk is None or chunk.noun is None or self.lexicon.noun(self.words[first:end]):
+        named = any(self.lexicon.noun(self.words[i:end]) for i in (first, end - 1))  # "a wide mirror, a large tub"
+        if chunk is None or chunk.noun is None or named:
             return None
         *more, head = chunk.noun.said.split()
         if not (more or chunk.adjectives or chunk.sizes):

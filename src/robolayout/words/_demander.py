@@ -176,6 +176,8 @@ class Demander(AtSides):
 
     def _with_each(self, a: str, b: str) -> Demand | None:
         """What a thing has: on it, if it can stand nowhere else, else at it."""
+        if self._is(a, small.WATCHED) and self._is(b, (*small.SEATS, *small.SLEPT_ON)):  # "a sofa with a TV"
+            return single(stated("point_towards", AssetRef(b), AssetRef(a)))
         asset = self._asset(a)
         beside = asset.on_floor or self._is(b, small.SLEPT_ON)
         if asset.on_object and (not beside or (a, b) in self.shelved or self._is(b, small.TOPS)):

@@ -47,8 +47,9 @@ def _told(walls: list[Wall], word: str, room: Room) -> list[Wall]:
     """Return the walls of which an adjective is true, or that have an opening: "the window wall"."""
     if word in ("window", "door"):
         return [wall for wall in walls if wall.index in {opening.wall for opening in openings(room, word)}]
-    if word == "windowless":
-        return [wall for wall in walls if wall.index not in {opening.wall for opening in room.windows}]
+    if word in ("windowless", "doorless"):
+        holes = room.windows if word == "windowless" else room.doors
+        return [wall for wall in walls if wall.index not in {opening.wall for opening in holes}]
     if word in ("long", "short"):
         wanted = (max if word == "long" else min)(wall.length for wall in room.walls)
         return [wall for wall in walls if abs(wall.length - wanted) <= SAME]

@@ -249,6 +249,14 @@ class Spoken:
             whole = relation == "behind" and [m.topped for m in self.recent[-2:]] == [True, False]
             whole = whole and [c.kind for c in self.chunks[max(self.at - 4, 0) : self.at]][:1] == ["comma"]
             return (whole and self._kept(word, relation, own)) or self.holder
+        amid = mentions(self.said.last.objects) if self.said.last.relation == "amid" else []
+        if (
+            word in small.SEVERAL
+            and len(amid) == 1
+            and amid[0].several
+            and relation in (*small.AT_SIDES, "behind", "front")
+        ):
+            return amid  # "two armchairs, a table between them and a bookcase behind one of them"
         if word in small.SEVERAL:
             held = [m for m in earlier if holder is None or many or m.thing is not holder.thing]
             return self._several_meant(relation, held if len(held) > 1 else earlier, to)
