@@ -10,7 +10,19 @@ import numpy as np
 from robolayout.assets import Category
 from robolayout.planners._wishes import RoomWishes
 from robolayout.scene import Opening, Room
-from robolayout.words import AT_SIDES, COMPASS, Place, Reading, grammar, named, places, sides, walls_meant
+from robolayout.words import (
+    AT_SIDES,
+    COMPASS,
+    Link,
+    Place,
+    Reading,
+    grammar,
+    mentions,
+    named,
+    places,
+    sides,
+    walls_meant,
+)
 
 
 @dataclass(frozen=True)
@@ -142,18 +154,22 @@ def _placed(room: Room, wishes: RoomWishes, name: str) -> Iterator[tuple[list[li
         there = [wishes.kinds[mention.thing.noun.kind] for mention in link.subjects]
         if name == "wall" and link.relation == "end":  # a screen at the head of a table
             yield [_meant(room, Place("wall", ("short",)))], there
-        if (
-            name == "wall"
-            and not room.doors
-            and any({"back", "rear"} & {*at.words} for at in places(link.objects, "side"))
-        ):
-            yield [_meant(room, Place("wall", ("back",)))], there  # a counter at the back of a shop is not by its door
+        yield from _held_besides(room, wishes, link) if name == "wall" else ()
         for place in places(link.objects, name):
             known = {*COMPASS, "long", "short"} if room.doors else {*COMPASS}
             words = {walls[word] for word in place.words if walls.get(word) in known}
             yield [_meant(room, Place("wall", (word,))) for word in words], there
             if room.doors and name == "wall" and place.by is not None and place.by[1].name == "door":
                 yield [_meant(room, place)], there
+
+
+def _held_besides(room: Room, wishes: RoomWishes, link: Link) -> Iterator[tuple[list[list[int]], list[Category]]]:
+    """Yield the walls that a link takes without naming them: the one opposite the door of a shop, a long one for mirrors in a row."""
+    if not room.doors and any({"back", "rear"} & {*at.words} for at in places(link.objects, "side")):
+        yield [_meant(room, Place("wall", ("back",)))], [wishes.kinds[m.thing.noun.kind] for m in link.subjects]
+    mirrors = [wishes.kinds[m.thing.noun.kind] for m in mentions(link.objects) if m.thing.noun.kind == "mirror"]
+    if mirrors and link.relation == "front" and sum(m.count for m in link.subjects) > 2:  # chairs, each before its own
+        yield [_meant(room, Place("wall", ("long",)))], mirrors
 
 
 def _held(room: Room, wishes: RoomWishes, least: float, but: Collection[str] = ()) -> set[int]:

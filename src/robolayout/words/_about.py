@@ -215,6 +215,8 @@ class About(References):
         seats = [m for m in subjects if m.thing.head in around]
         if not tables or not seats or named(subjects) - named(seats) - {tables[-1]}:
             return False
+        if chunk.value == "flank" and tables[-1].noun.kind in small.LOW_TABLES:
+            return False  # "a console table and two chairs on either side"
         if place is not None and {"back", "front", "rear"} & {*place.words}:
             return False  # of the room
         if place is not None and place.det == "other" and any(place_in(link.objects, "side") for link in self._here):
@@ -297,22 +299,10 @@ class About(References):
         walled = (k for k in self.said.links if k.relation in ("wall", "on", "by"))
         at = [k for k in walled if k.subjects and place_in(k.objects[:1], "wall")][-1:]
         there = [m for k in at for m in k.subjects if m.thing not in named(subjects)]
-        return there if {"opposite", "opposing"} & {*place.words} else []
-
-    def _turned_round(self, first: int, index: int) -> bool:
-        """Return whether what follows the object of a relation is what it is about: "and on it stands a lamp"."""
-        end, verb = index, False
-        aside = self.chunks[first - 1].det == "its" or [c.kind for c in self.chunks[index - 1 : index]] == ["pron"]
-        if aside and [c.kind for c in self.chunks[index : index + 2]] == ["comma", "thing"] and first > 1:
-            return self.chunks[first - 2].kind == "comma"  # "a sofa and, next to it, a lamp"
-        while index < len(self.chunks) and self.chunks[index].kind in ("verb", "filler", "style", "pron"):
-            verb = verb or self.chunks[index].kind == "verb"
-            index += 1
-        if index >= len(self.chunks) or self.chunks[index].kind != "thing":
-            return False
-        starts = self.chunks[first - 2].kind in ("and", "comma", "stop", "colon") if first >= 2 else True
-        starts = starts or self.chunks[end - 1].value == "which"  # "a rack beside which hangs a mirror"
-        return starts and (verb or (index == end and self.chunks[index].det != "the"))
+        if not {"opposite", "opposing"} & {*place.words}:
+            return []
+        before = [m for m in (*self.recent, *self.group) if m.thing not in named(subjects)][-1:]
+        return there or [m for m in before if m.thing.head in small.AT_WALLS or m.thing.category.places == ("wall",)]
 
     def _nearest(self, relation: str) -> list[Mention]:
         """Return what a relation right after a noun is about: small things "on" something all together, else the noun."""

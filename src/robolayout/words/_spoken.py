@@ -223,6 +223,21 @@ class Spoken:
         self.said.people = people
         return seating in small.SEATED
 
+    def _turned_round(self, first: int, index: int) -> bool:
+        """Return whether what follows the object of a relation is what it is about: "and on it stands a lamp"."""
+        end, verb = index, False
+        aside = self.chunks[first - 1].det == "its" or [c.kind for c in self.chunks[index - 1 : index]] == ["pron"]
+        if aside and [c.kind for c in self.chunks[index : index + 2]] == ["comma", "thing"] and first > 1:
+            return self.chunks[first - 2].kind == "comma"  # "a sofa and, next to it, a lamp"
+        while index < len(self.chunks) and self.chunks[index].kind in ("verb", "filler", "style", "pron"):
+            verb = verb or self.chunks[index].kind == "verb"
+            index += 1
+        if index >= len(self.chunks) or self.chunks[index].kind != "thing":
+            return False
+        starts = self.chunks[first - 2].kind in ("and", "comma", "stop", "colon") if first >= 2 else True
+        starts = starts or self.chunks[end - 1].value == "which"  # "a rack beside which hangs a mirror"
+        return starts and (verb or (index == end and self.chunks[index].det != "the"))
+
     def _meant(self, word: str, relation: str = "") -> list[Mention]:
         """Return what a pronoun stands for.
 

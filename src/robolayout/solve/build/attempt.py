@@ -196,8 +196,11 @@ class BuildPass:
             if alone and item.name not in self.site.spots and (item.name in self.site.late) == last:
                 by_kind.setdefault(item.kind, []).append(item)
         nudge = 0.0 if self.calm else COSTS.shuffle
-        below = {under for name in self.site.late for under in asked_below(self.site, name)}
-        early = below | {*self.first}  # what other things are asked to hang over needs a wall that has room for them
+        below = [under for name in self.site.late for under in asked_below(self.site, name)]
+        early = {
+            *self.first,
+            *(one for one in below if below.count(one) > 1),
+        }  # its wall has to have room for all of them
         turns = [
             (
                 turn + nudge * self.rng.normal() - len(by_kind) * any(item.name in early for item in items),
@@ -265,7 +268,7 @@ class BuildPass:
             if lined or self._place_grid(own, weights, 0):
                 self._place_alone(out)
                 return []
-        elif next(iter(modes)) == "wall":
+        elif next(iter(modes)) == "wall" or {*modes} <= {"wall", "corner"}:
             left = [one for one in clusters if not self._place(one, {"wall": 0.0}, weights, limit=COSTS.bad)]
             if "middle" not in modes:
                 return left  # their walls are demanded
