@@ -110,7 +110,7 @@ def test_so_many_windows_as_are_told(text: str, count: int) -> None:
         (
             "a bathroom with a vanity with a mirror above it, opposite the door",
             "opposite door",
-            "point_towards(vanity-0",
+            "point_towards(bathroom_vanity-0",
         ),
         (
             "a reading nook with an armchair, a side table within reach and a floor lamp behind",
