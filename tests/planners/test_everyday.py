@@ -17,11 +17,11 @@ SENTENCES = (
     slow("a living room with two sofas facing each other and a fireplace"),
     "a living room with a TV stand between two bookshelves",
     slow("a living room with two armchairs in front of the TV"),
-    "a living room with an L-shaped sofa, two poufs and a floor lamp behind the sofa",
+    slow("a living room with an L-shaped sofa, two poufs and a floor lamp behind the sofa"),
     "a bedroom with a bed between two wardrobes",
-    "a bedroom with a dressing table, a stool in front of it and a mirror above it",
+    slow("a bedroom with a dressing table, a stool in front of it and a mirror above it"),
     "a bedroom with a night stand between two single beds",
-    "a bedroom with a desk and chair in the left corner and a bed in the right corner",
+    slow("a bedroom with a desk and chair in the left corner and a bed in the right corner"),
     slow("a hotel room with two queen beds, a desk, a TV and a luggage rack"),
     "a guest room with a single bed and a small desk",
     "a nursery with a crib, a changing table, a rocking chair and a toy chest",
@@ -30,20 +30,20 @@ SENTENCES = (
     slow("a dining table with eight chairs, and a chandelier above it"),
     slow("a cafe with five round tables, each with two chairs, and a counter"),
     slow("a study with two desks side by side facing the wall"),
-    "an office with a desk between two filing cabinets",
+    slow("an office with a desk between two filing cabinets"),
     slow("a gym with three treadmills side by side facing the window"),
     slow("a classroom with twelve desks facing the whiteboard"),
-    "a science lab with three lab benches and six stools",
+    slow("a science lab with three lab benches and six stools"),
     slow("a church with ten pews facing an altar"),
     "a hallway with a shoe rack, a coat rack and a bench",
     "a dressing room with a vanity, a stool and three wardrobes in a row",
     "a shop with four clothing racks, a checkout counter near the door and a mirror",
-    "a reception with a bench, a coffee machine and a plant in each corner",
+    slow("a reception with a bench, a coffee machine and a plant in each corner"),
     slow("a kitchen with a breakfast bar and four stools, and a fridge beside the stove"),
-    "a home office with a desk by the window, a chair and two bookshelves on the opposite wall",
+    slow("a home office with a desk by the window, a chair and two bookshelves on the opposite wall"),
     slow("a meeting room with a table and eight chairs by the window"),
-    "a living room with a sofa under the window, a TV on the opposite wall and a coffee table in between",
-    "a living room with three bookshelves in a row along the back wall and a reading chair next to them",
+    slow("a living room with a sofa under the window, a TV on the opposite wall and a coffee table in between"),
+    slow("a living room with three bookshelves in a row along the back wall and a reading chair next to them"),
     slow("a gym with five treadmills in a row facing the mirrors"),
     slow("a computer lab with twelve computers in three rows and a teacher's desk in front"),
     slow("a classroom with twenty desks and a teacher's desk"),
@@ -67,8 +67,8 @@ def along(result: Result, name: str, one: str) -> float:
 @pytest.mark.parametrize(
     ("text", "outer", "middle"),
     [
-        ("a living room with a TV stand between two bookshelves", "bookshelf", "tv_stand"),
-        ("a bathroom with a sink between two cabinets", "cabinet", "washbasin"),
+        slow("a living room with a TV stand between two bookshelves", "bookshelf", "tv_stand"),
+        slow("a bathroom with a sink between two cabinets", "cabinet", "washbasin"),
         ("a hall with a console table between two chairs", "chair", "console_table"),
     ],
 )
@@ -86,8 +86,8 @@ def test_what_is_between_two_of_a_kind_has_its_back_to_their_wall(text: str, out
     ("text", "kind", "rows"),
     [
         slow("a cinema with twenty seats facing the screen", "theater_seat", 4),
-        ("a classroom with twelve desks facing the whiteboard", "student_desk", 3),
-        ("a church with ten pews facing an altar", "pew", 5),
+        slow("a classroom with twelve desks facing the whiteboard", "student_desk", 3),
+        slow("a church with ten pews facing an altar", "pew", 5),
     ],
 )
 def test_a_crowd_looks_one_way_in_straight_rows(text: str, kind: str, rows: int) -> None:
@@ -114,6 +114,7 @@ def test_shelves_on_both_long_walls_are_on_both() -> None:
     assert sorted(round(result.layout[name].y) for name in of(result, "shelving_unit")) == [0, 4]
 
 
+@pytest.mark.slow
 def test_stools_stand_at_the_bar_and_shelves_across_from_the_window() -> None:
     kitchen = made("a kitchen with a breakfast bar and four stools, and a fridge beside the stove")
     (bar,) = of(kitchen, "kitchen_island")

@@ -157,6 +157,7 @@ def test_chairs_around_a_grand_piano_are_not_all_before_its_keys() -> None:
     assert all(cosine(result, name, piano.at) > 0.9 for name in chairs)
 
 
+@pytest.mark.slow
 def test_floor_on_all_sides_of_a_table_is_free() -> None:
     result = made("a game room with a pool table in the middle, at least 1.5 m free on all sides")
     assert result.report.ok

@@ -276,8 +276,8 @@ def test_a_server_that_never_answers_is_given_up_soon_and_there_is_a_room(
 @pytest.mark.parametrize(
     ("reply", "words"),
     [
-        (Reply("out of breath", 500, {"retry-after-ms": "10"}), "failed after several tries (500): out of breath."),
-        (Reply("x" * 10_000_000), "the server answered with more than 4 MB"),
+        slow(Reply("out of breath", 500, {"retry-after-ms": "10"}), "failed after several tries (500): out of breath."),
+        slow(Reply("x" * 10_000_000), "the server answered with more than 4 MB"),
         (Reply("x" * 500_000), "an answer of 500000 characters"),
     ],
     ids=["500", "10 MB", "0.5 MB"],
