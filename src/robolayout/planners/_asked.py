@@ -20,7 +20,16 @@ from robolayout.constraints.on_top_of import OnTopOf
 from robolayout.constraints.under import Under
 from robolayout.planners._knowledge import ON_ANY, Join, usual_say
 from robolayout.planners._roles import Cast, chain, elsewhere
-from robolayout.planners._said import amidst_the_room, audience, hung_over, looked_at, ringed, said, subjects
+from robolayout.planners._said import (
+    amidst_the_room,
+    audience,
+    hung_above,
+    hung_over,
+    looked_at,
+    ringed,
+    said,
+    subjects,
+)
 from robolayout.program import HEAVIEST, Program
 from robolayout.scene import Scene
 from robolayout.words import Demand
@@ -127,9 +136,9 @@ def join_as_asked(cast: Mapping[str, Cast], demands: Sequence[Demand], passage: 
         last = next((one for one in chain(b, found) if found[one].anchor == a), "")
         if last and found[last].join.loose and last not in wanted:
             found[last] = found[last].alone
-    over = (one.asset_names()[0] for one in said(demands) if one.name == "above")
     # a projector over the table, a television over a minibar
-    found |= {name: found[name].alone for name in over if found[name].asset.on_ceiling or found[name].asset.on_wall}
+    over = [found[name] for name in sorted(hung_above(demands))]
+    found |= {one.name: one.alone for one in over if one.asset.on_ceiling or one.asset.on_wall}
     for name, (anchor, join) in wanted.items():
         found[name] = found[name].alone
         if name not in chain(anchor, found):

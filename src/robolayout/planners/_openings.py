@@ -98,9 +98,8 @@ def with_openings(
     high = _held(room, wishes, OPENINGS.sill)
     taken |= high if len(taken | high) < len(order) else set[int]()
     lit_up = {m.thing.noun.kind for k in wishes.reading.parsed.links if places(k.objects, "window") for m in k.subjects}
-    low = (
-        _held(room, wishes, 0.0, lit_up) if lit_up else set[int]()
-    )  # no bed stands where another thing is by the window
+    # no bed stands where another thing is by the window
+    low = _held(room, wishes, 0.0, lit_up) if lit_up else set[int]()
     taken |= low if len(taken | low) < len(order) else set[int]()
     free = [i for i in order if i not in taken]
     asked, amid = _wanted(wishes.reading, "window", more, OPENINGS.most_windows), _amid(wishes.reading)

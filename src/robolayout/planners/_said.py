@@ -137,6 +137,11 @@ def open_beside(demands: Iterable[Demand]) -> dict[str, str]:
     return {one.a.name: "left" if one.side == "right" else "right" for one in clear}
 
 
+def hung_above(demands: Iterable[Demand]) -> set[str]:
+    """Return what is asked to hang above something."""
+    return {one.asset_names()[0] for one in said(demands) if one.name == "above"}
+
+
 def hung_over(scene: Scene, demands: Iterable[Demand]) -> dict[str, str]:
     """Return what stands on the floor below what is asked to hang above it, or above what it bears, on a wall, with the first of that."""
     found = dict[str, str]()

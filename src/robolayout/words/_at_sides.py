@@ -153,6 +153,13 @@ class AtSides(AtPlaces):
         ways = tuple((stated("keep_clear", AssetRef(a), "front", wide),) for a in fronts)
         yield Demand(ways, FreeDisc(wide, near, within))
 
+    def _far(self, it: Asked) -> Iterator[Demand]:
+        x0, y0, x1, y1 = self.room.bounds
+        least = round(max(ways_of.LEAST_FAR, ways_of.FAR_SHARE * max(x1 - x0, y1 - y0)), 2)
+        to = [(a, point) for a in it.subjects for place in it.places for point in self._points(place)]
+        for a, b in (*to, *((a, AssetRef(b)) for a in it.subjects for b in it.others if a != b)):
+            yield single(stated("distance_constraint", AssetRef(a), b, least))
+
     def _not_turned(self, it: Asked, back: float) -> Iterator[Demand]:
         """Not looking at a thing, a wall, or the wall of a door or window, or not with its back to it: turned by a right angle or two."""
         for a in it.subjects:

@@ -19,7 +19,7 @@ from robolayout.words._places import Asked, walls_meant
 from robolayout.words._rows import ToldRows, alike, in_rows, neighbours, on_a_wall
 from robolayout.words._said import Link, Mention, NamedThing, Place, mentions, named, place_in, places
 from robolayout.words._shelves import shelved
-from robolayout.words.demands import Demand, by_ways, single, stated
+from robolayout.words.demands import Demand, Way, by_ways, single, stated
 
 
 class Demander(AtSides):
@@ -189,13 +189,6 @@ class Demander(AtSides):
             return single(stated("near", AssetRef(a), AssetRef(b), ways_of.BESIDE if beside else ways_of.NEAR))
         return None
 
-    def _far(self, it: Asked) -> Iterator[Demand]:
-        x0, y0, x1, y1 = self.room.bounds
-        least = round(max(ways_of.LEAST_FAR, ways_of.FAR_SHARE * max(x1 - x0, y1 - y0)), 2)
-        to = [(a, point) for a in it.subjects for place in it.places for point in self._points(place)]
-        for a, b in (*to, *((a, AssetRef(b)) for a in it.subjects for b in it.others if a != b)):
-            yield single(stated("distance_constraint", AssetRef(a), b, least))
-
     def _apart(self, it: Asked, metres: tuple[float, float]) -> Iterator[Demand]:
         """So many metres between the edges of two things, or of a thing and a place; "at least" holds for each such place."""
         by_themselves = not (it.groups or it.place)
@@ -324,7 +317,8 @@ class Demander(AtSides):
             if len(others) == len(subjects):
                 targets = [AssetRef(others[i])]
             angles = self._looks(a)[: 1 if a in self.looking else 2]
-            ways = [(stated("point_towards", AssetRef(a), b, angle),) for b in targets for angle in angles]
+            looks = ((stated("point_towards", AssetRef(a), b, angle),) for b in targets for angle in angles)
+            ways = [*self._straight(subjects, others), *looks]
             if len(others) == len(subjects) > 1 and self._into_a_mirror(a, others[i]):
                 ways = [*by_ways(ways_of.BEFORE_A_MIRROR, a, others[i]).ways]
             if len(others) >= ways_of.CROWD and alike(self.scene, others):
@@ -334,6 +328,13 @@ class Demander(AtSides):
                 ways = [*by_ways(ways_of.ABREAST, a, subjects[0]).ways, *ways]
             if ways:
                 yield Demand(tuple(ways))
+
+    def _straight(self, subjects: Sequence[str], others: Sequence[str]) -> Iterator[Way]:
+        """Yield how one seat is opposite several that have their place: "two armchairs by the fire, and a sofa facing them"."""
+        placed = len(others) > len(subjects) == 1 and others[0] in self.put
+        seats = placed and all(self._is(name, small.SEATS) for name in (*subjects, *others))
+        for b in others if seats else ():
+            yield from by_ways(ways_of.OPPOSITE_SEATS[:1], subjects[0], b).ways
 
     def _visiting_or_open(self, it: Asked) -> list[Demand]:
         """Return where seats stand that face a desk at which somebody sits, and that a shape is open to what it faces; else nothing."""

@@ -197,10 +197,8 @@ class BuildPass:
                 by_kind.setdefault(item.kind, []).append(item)
         nudge = 0.0 if self.calm else COSTS.shuffle
         below = [under for name in self.site.late for under in asked_below(self.site, name)]
-        early = {
-            *self.first,
-            *(one for one in below if below.count(one) > 1),
-        }  # its wall has to have room for all of them
+        wide = {one for one in below if below.count(one) > 1}  # its wall has to have room for all that hangs over it
+        early = wide.union(self.first)
         turns = [
             (
                 turn + nudge * self.rng.normal() - len(by_kind) * any(item.name in early for item in items),
