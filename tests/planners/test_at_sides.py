@@ -167,7 +167,7 @@ def test_rows_of_a_large_warehouse_stand_as_asked_for_a_small_robot_too() -> Non
 @pytest.mark.parametrize(
     "text",
     [
-        "a bedroom with a bed and a night stand on each side",
+        slow("a bedroom with a bed and a night stand on each side"),
         "a bed whose headboard is against the wall and a night stand on each side",
     ],
 )

@@ -258,7 +258,7 @@ def test_pupils_look_at_their_teacher() -> None:
 @pytest.mark.parametrize(
     "text",
     [
-        "a living room with a sofa and a TV on the wall",
+        slow("a living room with a sofa and a TV on the wall"),
         "a living room with a sofa, two armchairs facing the sofa, a coffee table between them and a TV on the wall",
     ],
 )

@@ -140,6 +140,7 @@ def test_a_coffee_table_in_the_middle_of_the_room_keeps_its_sofa_before_it() -> 
     assert row.verdict == "met"
 
 
+@pytest.mark.slow
 def test_a_rug_in_the_middle_of_the_room_lies_under_its_coffee_table() -> None:
     run = rl.generate("A living room with a rug in the middle of the room", seed=0)
     assert foot(run, "coffee_table-0").difference(foot(run, "rug-0")).area < 0.05

@@ -77,7 +77,7 @@ def test_no_window_is_where_a_board_of_a_short_wall_is_to_hang(seed: int) -> Non
 @pytest.mark.parametrize(
     ("text", "name"),
     [
-        ("An office with a filing cabinet between the window and the door.", "filing_cabinet-0"),
+        slow("An office with a filing cabinet between the window and the door.", "filing_cabinet-0"),
         ("A bedroom with a bed against the wall between the two windows.", "bed-0"),
         ("A lounge with a picture between the windows.", "picture-0"),
     ],

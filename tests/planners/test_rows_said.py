@@ -68,7 +68,9 @@ def test_each_bed_of_a_ward_has_its_curtain() -> None:
     ("text", "kind", "foot"),
     [
         ("a kid's room with three beds in a row and a toy chest at the foot of each", "single_bed", "toy_box"),
-        ("a bunk room with six single beds in two rows and a locker at the foot of each bed", "single_bed", "locker"),
+        slow(
+            "a bunk room with six single beds in two rows and a locker at the foot of each bed", "single_bed", "locker"
+        ),
     ],
 )
 def test_what_opens_at_the_foot_of_a_bed_opens_away_from_it(text: str, kind: str, foot: str) -> None:

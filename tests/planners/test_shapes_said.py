@@ -168,6 +168,7 @@ def test_an_odd_seat_is_at_the_head_of_a_table() -> None:
     assert sorted(sides.count(side) for side in {*sides}) == [1, 3, 3]
 
 
+@pytest.mark.slow
 def test_a_projector_above_a_table_hangs_from_the_ceiling() -> None:
     result = made("a conference room with a projector above the table")
     lamp, table = result.layout["projector-0"], result.layout["conference_table-0"]
