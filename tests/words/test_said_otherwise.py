@@ -38,6 +38,7 @@ def rows(text: str) -> list[Unjudged]:
         ("a sofa in the corner of the living room with the TV", "point_towards(sofa-0, television-0)"),
         ("a ballet studio with a mirror wall and a barre on the opposite wall", "mounted_on(mirror_wall-0, walls[0]), "),
         ("a bedroom with a bed and a wardrobe on the opposite wall", "against_wall(bed-0, walls[0]), against_wall(wardrobe-0, walls[2])"),
+        ("a bedroom with a bed and a desk and 0.9 m of free space on all sides of the bed", "keep_clear(bed-0, depth=0.9)"),
         ("a bathroom with a vanity and a mirror above it", "above(mirror-0, bathroom_vanity-0)"),
         ("a hallway with a console table and two chairs on either side", "next_to(chair-0, console_table-0, left"),
         ("a bedroom with a bed that can be reached from both sides", "keep_clear(bed-0, left"),

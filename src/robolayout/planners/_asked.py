@@ -23,7 +23,7 @@ from robolayout.planners._roles import Cast, chain, elsewhere
 from robolayout.planners._said import (
     amidst_the_room,
     audience,
-    hung_above,
+    hung,
     hung_over,
     looked_at,
     ringed,
@@ -85,7 +85,7 @@ def asked_lines(scene: Scene, demands: Sequence[Demand], known: set[str]) -> dic
     sides = [one.asset_names() for one in said(of_known) if isinstance(one, SideRelation | Near | NextTo)]
     beside = [*under, *(two[1] for two in sides if len(two) == 2 and two[0] in under)]
     # several that hang in a row need more wall without a window
-    many = Counter(one.asset_names()[1] for one in said(of_known) if one.name == "above")
+    many = Counter(low for _, low in hung(of_known))
     dislike = {name: max(IN_THE_LIGHT * max(many[name], 1) ** 2, -HEAVIEST) for name in beside}
     aside = {name: f"weight={weight:g}" for name, weight in dislike.items()}
     return lines | {f"solver.wish.at_window({scene.expressions[name]}, {aside[name]})": name for name in beside}
@@ -137,7 +137,7 @@ def join_as_asked(cast: Mapping[str, Cast], demands: Sequence[Demand], passage: 
         if last and found[last].join.loose and last not in wanted:
             found[last] = found[last].alone
     # a projector over the table, a television over a minibar
-    over = [found[name] for name in sorted(hung_above(demands))]
+    over = [found[high] for high, _ in hung(demands)]
     found |= {one.name: one.alone for one in over if one.asset.on_ceiling or one.asset.on_wall}
     for name, (anchor, join) in wanted.items():
         found[name] = found[name].alone

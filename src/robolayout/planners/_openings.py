@@ -153,7 +153,7 @@ def _placed(room: Room, wishes: RoomWishes, name: str) -> Iterator[tuple[list[li
         there = [wishes.kinds[mention.thing.noun.kind] for mention in link.subjects]
         if name == "wall" and link.relation == "end":  # a screen at the head of a table
             yield [_meant(room, Place("wall", ("short",)))], there
-        yield from _held_besides(room, wishes, link) if name == "wall" else ()
+        yield from _held_besides(room, wishes, link, there) if name == "wall" else ()
         for place in places(link.objects, name):
             known = {*COMPASS, "long", "short"} if room.doors else {*COMPASS}
             words = {walls[word] for word in place.words if walls.get(word) in known}
@@ -162,10 +162,12 @@ def _placed(room: Room, wishes: RoomWishes, name: str) -> Iterator[tuple[list[li
                 yield [_meant(room, place)], there
 
 
-def _held_besides(room: Room, wishes: RoomWishes, link: Link) -> Iterator[tuple[list[list[int]], list[Category]]]:
+def _held_besides(
+    room: Room, wishes: RoomWishes, link: Link, there: list[Category]
+) -> Iterator[tuple[list[list[int]], list[Category]]]:
     """Yield the walls that a link takes without naming them: the one opposite the door of a shop, a long one for mirrors in a row."""
     if not room.doors and any({"back", "rear"} & {*at.words} for at in places(link.objects, "side")):
-        yield [_meant(room, Place("wall", ("back",)))], [wishes.kinds[m.thing.noun.kind] for m in link.subjects]
+        yield [_meant(room, Place("wall", ("back",)))], there
     mirrors = [wishes.kinds[m.thing.noun.kind] for m in mentions(link.objects) if m.thing.noun.kind == "mirror"]
     if mirrors and link.relation == "front" and sum(m.count for m in link.subjects) > 2:  # chairs, each before its own
         yield [_meant(room, Place("wall", ("long",)))], mirrors

@@ -6,6 +6,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 
 from robolayout.constraints import AssetRef, PointRef, Relation
+from robolayout.constraints.above import Above
 from robolayout.constraints.between import BetweenTwo
 from robolayout.constraints.distance_constraint import DistanceConstraint
 from robolayout.constraints.in_rows import InRows
@@ -137,9 +138,9 @@ def open_beside(demands: Iterable[Demand]) -> dict[str, str]:
     return {one.a.name: "left" if one.side == "right" else "right" for one in clear}
 
 
-def hung_above(demands: Iterable[Demand]) -> set[str]:
-    """Return what is asked to hang above something."""
-    return {one.asset_names()[0] for one in said(demands) if one.name == "above"}
+def hung(demands: Iterable[Demand]) -> list[tuple[str, str]]:
+    """Return each thing that is asked to hang above another one, with that."""
+    return [(one.a.name, one.b.name) for one in said(demands) if isinstance(one, Above)]
 
 
 def hung_over(scene: Scene, demands: Iterable[Demand]) -> dict[str, str]:
@@ -147,7 +148,7 @@ def hung_over(scene: Scene, demands: Iterable[Demand]) -> dict[str, str]:
     found = dict[str, str]()
     on = (one.asset_names() for one in said(demands) if isinstance(one, OnTopOf))
     bearers = {thing: bearer for thing, bearer in on}
-    for high, over in (one.asset_names() for one in said(demands) if one.name == "above"):
+    for high, over in hung(demands):
         low = bearers.get(over, over)
         if scene.by_name[high].on_wall and scene.by_name[low].on_floor:
             found.setdefault(low, high)

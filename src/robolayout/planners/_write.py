@@ -58,7 +58,7 @@ class Writer:
         self.cornered = {one.asset_names()[0] for one in asked.said(words) if one.name == "corner"}
         self.looked, self.beside = asked.looked_at(words), asked.open_beside(words)
         self.below = asked.hung_over(scene, words)  # nothing else hangs there
-        self.over = asked.hung_above(words)  # they hang nowhere else
+        self.over = {high for high, _ in asked.hung(words)}  # they hang nowhere else
         self.middle, self.lain = asked.in_the_middle(words), asked.lain_at(words)
 
     def order(self) -> list[str]:

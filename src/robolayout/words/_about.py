@@ -258,18 +258,22 @@ class About(References):
         its, following = led.det == "its", after.kind in ("thing", "pron")  # "1 m of clear space on its right"
         # "80 cm free on both sides", "90 cm free on left side"
         both = bool(self.group) and led.value in small.FREED and not (its or following)
-        every = bool(self.group) and (led.value, after.value, after.det) == ("on", "side", "all")
+        every = (led.value, after.value, after.det) == ("on", "side", "all")
+        of = [c.kind for c in self.chunks[self.at + len(ahead) + 2 :][:2]] == ["filler", "thing"]
+        whole = every and of  # "on all sides of the table"
+        every = every and (whole or bool(self.group))
         known = both or every or (led.value in (*small.FREED, "amid") and (its or following))
         if measure.kind != "length" or not (free and known):
             return False
         self._understood(*ahead)
-        self.at += len(ahead) + 1 + every
+        self.at += len(ahead) + 1 + every + whole
+        end = self._ahead(-1).end
         self.about = []  # floor, no thing
-        whose = self.group[-1:] if both or every else self._meant("it", led.value) if its else self._objects(led)
+        before = both or (every and not whole)
+        whose = self.group[-1:] if before else self._meant("it", led.value) if its else self._objects(led)
         about = mentions(whose)
         sides = [Place("side", (side,)) for side in small.FREED.get("around" if every else led.value, ())]
         how, on, to = ("cleared", about, sides) if sides else ("apart", about[:1], about[1:])  # "between the two"
-        end = after.end if every else led.end
         self.said.links.append(Link(how, (*on,), (*to,), chunk.start, end, (measure.values[0], math.inf)))
         return True
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import re
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 from robolayout._errors import SceneError
@@ -20,6 +21,9 @@ NUMBERS = (
     | {word: 10 * tens for tens, word in enumerate(_TENS, 3)}
 )
 """Counts by word; what says no exact number stands for a usual one."""
+
+_MEASURED: Mapping[str, float] = {**NUMBERS, "half a": 0.5, "a couple of": 2.0}
+"""The same with what is only said of metres."""
 
 VAGUE = frozenset(("some", "few", "several", "lots", "many"))
 """Words that say no exact number."""
@@ -286,8 +290,8 @@ def metres(number: str, unit: str | None, fallback: str | None = None) -> float:
 
 
 def _number(text: str) -> float:
-    known = NUMBERS | {"half a": 0.5, "a couple of": 2.0}
-    return float(known[text.lower()]) if text.lower() in known else float(text.replace(",", "."))
+    known = _MEASURED.get(text.lower())
+    return float(text.replace(",", ".")) if known is None else float(known)
 
 
 def count_of(word: str) -> int | None:

@@ -12,7 +12,6 @@ import numpy as np
 import shapely
 
 from robolayout.assets.obstacles import only_seen, use_sides
-from robolayout.constraints.above import Above
 from robolayout.floor import rect_points
 from robolayout.scene import Agent, Opening, Point, Wall
 from robolayout.scene.agent import horizontal_reach
@@ -73,10 +72,9 @@ def hang(site: Site, names: Sequence[str], rng: np.random.Generator) -> None:
             _hang(site, name, rng)
 
 
-def asked_below(site: Site, name: str) -> list[str]:
+def asked_below(site: Site, name: str) -> Sequence[str]:
     """Return over what a thing is asked to hang."""
-    asked = (part for one in site.said.about([name]) for way in one.ways for part in way if isinstance(part, Above))
-    return [part.b.name for part in asked if part.a.name == name]
+    return site.said.above.get(name, ())
 
 
 def _tier_below(site: Site, name: str) -> list[Member]:

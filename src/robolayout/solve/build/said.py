@@ -8,11 +8,13 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
 from robolayout._geometry import Body, FrameRow, frame_residual, mirror_residual
 from robolayout.constraints import AssetRef, FrameTerm, MirrorTerm, PointRef, Relation, WallRef, Way
+from robolayout.constraints.above import Above
 from robolayout.constraints.against_wall import AgainstWall
 from robolayout.constraints.align_with import AlignWith
 from robolayout.constraints.mounted_on import MountedOn
@@ -55,6 +57,14 @@ class Said:
         """Return the statements that have to do with some assets."""
         known = set(names)
         return [one for one in self.asked if known & one.names]
+
+    @cached_property
+    def above(self) -> Mapping[str, Sequence[str]]:
+        """What each thing is asked to hang above."""
+        found: dict[str, list[str]] = {}
+        for part in (part for one in self.asked for way in one.ways for part in way if isinstance(part, Above)):
+            found.setdefault(part.a.name, []).append(part.b.name)
+        return found
 
     def missed(self, members: Sequence[Member], poses: Poses, placed: Mapping[str, Member]) -> Poses:
         """Return the cost (n,) of places by the statements that they miss; what is not placed yet is not asked about.
