@@ -455,3 +455,15 @@ def test_a_bed_between_two_windows_may_have_its_back_to_their_wall() -> None:
     assert not check(between, (3.0, 3.3, -NORTH), assets=(bed,))
     (row,) = between.terms(Scene(ROOM, (bed,)), Layout({"a-0": Pose(3.0, 3.9, 0.3, -NORTH)}))
     assert row.across.high >= 1.1  # the search leaves it there
+
+
+@pytest.mark.parametrize(("y", "met"), [(2.0, True), (2.25, True), (2.95, False)])
+def test_a_table_right_before_a_sofa_and_an_armchair_in_an_l_is_between_them(y: float, met: bool) -> None:
+    """It is 0.9 m off the line of their middles; a metre aside of the sofa's middle it is before the sofa no more."""
+    table, sofa, chair = (
+        Asset("a-0", "coffee table", (0.6, 1.1, 0.4)),
+        Asset("b-0", "sofa", (0.9, 1.8, 0.8)),
+        Asset("c-0", "armchair", (0.8, 0.8, 0.9)),
+    )
+    poses = (1.9, y, 0), (0.8, 2, 0), (1.9, 0.4, NORTH)
+    assert check(said("between", A, B, C), *poses, assets=(table, sofa, chair)) is met

@@ -7,17 +7,18 @@ from dataclasses import dataclass
 
 from shapely import LineString, Point
 
-from robolayout.constraints._exact import TOLERANCE, footprint, frame, seen_from, shape
+from robolayout.constraints._exact import TOLERANCE, footprint, frame, half_size, seen_from, shape
 from robolayout.constraints._refs import AssetRef, PointRef
 from robolayout.constraints._relation import FrameTerm, Interval, Outcome, Relation, Term, argument
 from robolayout.scene import Layout, Pose, Scene
 
+NEAR = 1.5  # metres before a front up to which something is right before it
 ENDS = 0.2  # part of what is free of that line, at either end, that the search keeps clear of
 
 
 @dataclass(frozen=True)
 class BetweenTwo(Relation):
-    """`a` stands between `b` and `c`: on the line between their middles or little aside (0.5 m, or as both reach), not past its ends."""
+    """`a` stands between `b` and `c`: on the line of their middles or little aside (0.5 m, or as both reach), or right before both."""
 
     name = "between"
     as_guessed = True
@@ -43,7 +44,10 @@ class BetweenTwo(Relation):
         return (FrameTerm(self.a, middle, along=Interval(-most, most), across=Interval(-half, half)),)
 
     def check(self, scene: Scene, layout: Layout) -> Outcome:
-        """On the line between the centres, or its middle no farther aside than b or c reaches; between their edges along it."""
+        """On the line between the centres, or its middle no farther aside than b or c reaches; between their edges along it.
+
+        Or its middle is before both, within their widths: a coffee table before a sofa and an armchair that form an L.
+        """
         here, free = layout[self.a.name], self._free(scene, layout)
         (x, y), (u, v) = free.coords[0], free.coords[-1]
         along = ((here.x - x) * (u - x) + (here.y - y) * (v - y)) / (free.length or 1.0)
@@ -55,6 +59,8 @@ class BetweenTwo(Relation):
         text = f"{aside:.2f} m off the line between {self.b} and {self.c}"
         text += f", {past:.2f} m past the edge of one" if past > TOLERANCE.gap else ""
         limit = TOLERANCE.aside if most is None else most
+        if self._before_both(scene, layout):
+            return Outcome(True, 0.0, limit, "m", f"before {self.b} and {self.c}")
         return Outcome(past <= TOLERANCE.gap and aside <= limit, aside, limit, "m", text)
 
     def _most(self, scene: Scene, layout: Layout) -> float | None:
@@ -71,6 +77,17 @@ class BetweenTwo(Relation):
         first, second = (max(-low, high) for _, low, _, high in sides[:2])
         within = min(first, second) - (sides[2][3] - sides[2][1]) / 2
         return max(min(max(TOLERANCE.aside / 2, first, second), TOLERANCE.aside), within)
+
+    def _before_both(self, scene: Scene, layout: Layout) -> bool:
+        """Return whether the middle of a is at most `NEAR` before the fronts of b and c, no farther aside than these reach."""
+        at = layout[self.a.name].at
+        for ref in (self.b, self.c):
+            if not isinstance(ref, AssetRef) or scene.by_name[ref.name].on_wall:
+                return False
+            (ahead, aside), (deep, wide) = frame(scene, layout, ref).seen(at), half_size(scene, ref)
+            if not (deep < ahead <= deep + NEAR and abs(aside) <= wide):
+                return False
+        return True
 
     def _line(self, scene: Scene, layout: Layout) -> LineString:
         return LineString([frame(scene, layout, ref).at for ref in (self.b, self.c)])
