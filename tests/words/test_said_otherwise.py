@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections import Counter
+
 import pytest
 
 from robolayout.planners.sentence import scene_from_sentence
@@ -46,6 +48,44 @@ def rows(text: str) -> list[Unjudged]:
         ("a barbershop with four barber chairs in a row facing the mirrors", "point_towards(salon_chair-0, mirror-0), "),
         ("a cinema with two rows of three seats, the second row 1.2 m behind the first", "in_rows([theater_seat-0, "),
         ("two armchairs, a table between them and a bookcase behind one of them", "behind(bookshelf-0, armchair-0"),
+        ("an office with eight desks in two clusters of four and a plant between the clusters", "plant-0 between desk-2 and desk-6"),
+        ("a hallway with a bench, hooks above the bench and a shoe rack below it", "under(shoe_rack-0, [bench-0])"),
+        ("a study with a desk facing the door and a whiteboard on the wall behind me", "in_front_of(whiteboard-0, desk-0"),
+        ("two single beds with their heads to the same wall in a bedroom", "against_wall(single_bed-0, walls[0]), "),
+        ("a music room with a grand piano in the center, its keyboard facing the window", "point_towards(grand_piano-0"),
+        ("a server room with two rows of four racks, fronts facing each other across a cold aisle", "in_rows([server_rack-0"),
+        ("a clinic with a desk with a chair for the doctor and two for patients", "behind(visitor_chair-0, desk-0"),
+        ("a living room with a sofa, a lamp to the left and a table to the right of the sofa", "left_of(floor_lamp-0, sofa-0"),
+        ("a bedroom with a bed under the window and a desk in the opposite corner", "corner(desk-0, "),
+        ("six chairs in a circle with a low table in its center", "near(chair-0, low_table-0"),
+        ("a laundry room with a washer, shelves above it and an ironing board on the opposite wall", "against_wall(washing_machine-0"),
+        ("a one-wall kitchen on the left wall", "against_wall(kitchen_counter-0, walls[3]); against_wall(kitchen_sink-0, walls[3])"),
+        ("a kitchen with all cabinets on the left wall", "against_wall(kitchen_counter-0, walls[3]); against_wall(kitchen_sink-0"),
+        ("a kitchen with a sink under a window in the north wall", "near(kitchen_sink-0, ("),
+        ("a lobby with a plant at either side of the entrance", "against_wall(plant-0, walls["),
+        ("a library with low shelves around the walls", "against_wall(bookshelf-0); against_wall(bookshelf-1)"),
+        ("an office with three desks each facing a different wall", "against_wall(desk-0, walls[0]), against_wall(desk-1, walls[1]), "),
+        ("a boardroom table with ten chairs, a podium at the head", "in_front_of(lectern-0, conference_table-0"),
+        ("a room with a sofa in the middle, behind it a table with four chairs, in front of it a rug", "in_front_of(rug-0, sofa-0"),
+        ("a living room with a rug in front of the fireplace, bookcases left and right of it", "next_to(bookshelf-0, fireplace-0, left"),
+        ("a bar with a wine fridge next to the bar and a pendant light over it", "above(pendant_lamp-0, bar_counter-0)"),
+        ("a bar with a wine fridge next to the bar and a shelf behind it", "behind(shelving_unit-0, bar_counter-0"),
+        ("a study with the desk in the middle of the room facing the door", "align_with(desk-0, walls["),
+        ("a living room with a TV in front of the sofa", "in_front_of(television-0, sofa-0, max_gap=12)"),
+        ("a cafe with a cup on the table and a chair in front of it", "in_front_of(chair-0, round_table-0"),
+        ("a kitchen with a fridge opposite the stove and a table between them", "dining_table-0 between fridge-0 and stove-0"),
+        ("a computer lab with 12 computers on desks in 3 rows", "in_rows([desk-0"),
+        ("an office with two desks looking out of the window", "point_towards(desk-0, ("),
+        ("a bed and nightstands; on the left nightstand is a lamp, on the right one a clock", "on_top_of(alarm_clock-0, night_stand-1)"),
+        ("two armchairs flanking a fireplace, facing each other", "symmetric_pair(armchair-0, armchair-1, fireplace-0"),
+        ("a living room with a sofa and a screen on the opposite wall from the sofa", "in_front_of(screen-0, sofa-0, max_gap=12)"),
+        ("a bedroom with the bed, nightstand and dresser all on the same wall", "against_wall(bed-0, walls[0]), against_wall(night_stand"),
+        ("a bedroom with a large window and a desk under it", "near(desk-0, ("),
+        ("a room with a door in the west wall and a desk facing it", "point_towards(desk-0, ("),
+        ("a workshop with a bench by the door and a workbench at the window", "near(bench-0, ("),
+        ("a bedroom with the headboard against the wall opposite the window", "against_wall(bed-0, walls["),
+        ("a store with three rows of racks, aisles at least 1.2 m wide", "in_rows([shelving_unit-0"),
+        ("a lounge with six armchairs and a TV that is visible from the armchairs", "point_towards(armchair-0, television-0) or one of 4"),
     ],
 )  # fmt: skip
 def test_a_phrase_asks_for_what_it_says(text: str, meant: str) -> None:
@@ -96,8 +136,10 @@ def test_no_back_to_something_leaves_every_other_heading(text: str, seats: int) 
     [
         ("a bedroom with a bed in an alcove and a desk", "in an alcove"),
         ("a showroom with a car in the centre turned 30 degrees", "turned 30 degrees"),
+        ("a game room with a pool table, cues on the wall", "cues on the wall"),
+        ("a bathroom with a sink I can roll under and a shower", "I can roll under"),
         ("a kitchen with the knives out of reach of children and a fridge", "out of reach of children"),
-        ("a studio with a bed by the window and a desk in the opposite corner", "the opposite corner"),
+        ("a studio with a round table and a desk in the opposite corner", "the opposite corner"),
     ],
 )
 def test_what_cannot_be_said_is_given_back(text: str, words: str) -> None:
@@ -167,3 +209,88 @@ def test_things_along_a_wall_that_are_told_to_be_apart_are_one_row_with_gaps() -
     told = rows("a room with six charging docks along the long wall 0.8 m apart")
     blocks = {one for row in told for demand in row.demands for one in demand.ways[0] if one.name == "in_rows"}
     assert {(one.rows, one.gap) for one in blocks} == {(1, 0.8)}
+
+
+def kinds(text: str) -> Counter[str]:
+    return Counter(one.category for one in scene_from_sentence(text)[0].assets)
+
+
+def test_what_is_between_groups_or_in_the_middle_of_each_is_so_many() -> None:
+    """ "A printer between the clusters" was one in each gap between eight desks, which crashed; a table for each armchair."""
+    office = kinds(
+        "an office with eight desks in two clusters of four, each with a monitor, a printer between the clusters"
+    )
+    assert (office["printer"], office["monitor"]) == (1, 8)
+    for told in ("and a coffee table in the middle of each group", "each group around a coffee table"):
+        assert kinds(f"a lounge with eight armchairs in two groups of four, {told}")["coffee table"] == 2
+    assert kinds("a bar with a counter in the middle and stools all around it")["bar stool"] == 6
+
+
+def test_marks_and_corners_of_the_room_are_counted_as_said() -> None:
+    """Of "sofa / armchair / lamp" the last one was left, of "in each corner of the room" one thing."""
+    assert {"sofa", "armchair", "floor lamp"} <= kinds("a living room: sofa / armchair / floor lamp").keys()
+    assert kinds("a hall with a floor lamp in each corner of the room")["floor lamp"] == 4
+    (under,) = [row for row in rows("room: 4m x 4m / bed under window / desk right of bed") if "under" in row.words]
+    assert under.things == ("bed-0",)
+
+
+def test_a_few_on_one_side_and_others_on_the_other_are_all_of_them() -> None:
+    """ "One on the other" was one of the two; the desks of five rows were one for each shelf."""
+    assert kinds("an interview room with a table, two chairs on one side, one on the other")["chair"] == 3
+    assert kinds("a library with five rows of bookshelves, a study table at the end of each row")["desk"] == 5
+
+
+@pytest.mark.parametrize(
+    ("text", "body"),
+    [
+        ("a warehouse where a Spot robot inspects three rows of racks", "spot"),
+        ("a kitchen where a fetch robot loads the dishwasher from the table", "fetch"),
+        ("a studio apartment with a bed and a table, all reachable in a wheelchair", "wheelchair"),
+    ],
+)
+def test_who_works_in_a_room_is_its_body_and_no_thing(text: str, body: str) -> None:
+    scene, _ = scene_from_sentence(text)
+    assert [agent.name for agent in scene.agents] == [body]
+    assert not any(one.category in ("wheelchair", "box") or "robot" in one.name for one in scene.assets)
+
+
+def test_a_mirror_beside_what_hangs_hangs_too() -> None:
+    """It stood in the middle of the hallway."""
+    assert kinds("a hallway with a bench under a row of hooks and a mirror to the left of the hooks")["mirror"] == 1
+
+
+def test_only_one_that_has_something_leaves_out_no_other_furniture() -> None:
+    assert kinds("a bedroom with two nightstands, but only one has a lamp on it")["bed"] == 1
+
+
+@pytest.mark.parametrize(
+    ("text", "room"),
+    [
+        ("a kitchen island with two pendant lamps above and four stools", "kitchen"),
+        ("a dentist's room with a treatment chair and an instrument table on its right", "hospital room"),
+        ("a one-room apartment: kitchenette on the left wall, bed on the right", "studio"),
+        ("an entrance hall with a reception desk opposite the door", "reception"),
+    ],
+)
+def test_a_room_is_told_by_what_is_in_it(text: str, room: str) -> None:
+    assert scene_from_sentence(text)[1].room_type == room
+
+
+def test_a_bench_in_a_workshop_is_one_to_work_at() -> None:
+    assert kinds("a garage workshop with a pegboard above the bench and a stool in front of it")["workbench"] == 1
+
+
+def test_a_narrow_room_is_long_on_the_side_where_everything_stands() -> None:
+    narrow, _ = scene_from_sentence("a narrow kitchen, all cabinets on the left wall")
+    plain, _ = scene_from_sentence("a narrow hallway with a bench")
+    assert narrow.room.bounds[3] > 1.5 * narrow.room.bounds[2]
+    assert max(plain.room.bounds[2:]) > 1.5 * min(plain.room.bounds[2:])
+
+
+def test_an_opposite_wall_that_nothing_tells_is_given_back() -> None:
+    (row,) = [
+        row
+        for row in rows("a studio with a round rug and a mirror on the opposite wall")
+        if row.kind == "not understood"
+    ]
+    assert row.words == "the opposite wall"

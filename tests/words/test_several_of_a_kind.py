@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from robolayout.planners.sentence import scene_from_sentence
-from robolayout.words import Lexicon, Mention, Place, Reading, read_rooms, read_text, read_words
+from robolayout.words import Lexicon, Mention, Place, Reading, place_in, read_rooms, read_text, read_words
 
 LEXICON = Lexicon(read_rooms())
 
@@ -313,7 +313,12 @@ def test_the_opposite_corner_is_across_the_room() -> None:
         ("north", "west"),
         ("south", "east"),
     ]
-    unknown = read("a plant by the window and a lamp in the opposite corner")
+    far = [
+        place_in(link.objects, "corner")
+        for link in read("a plant by the window, a lamp in the opposite corner").parsed.links
+    ]
+    assert [(at.by[0], at.by[1].name) for at in far if at is not None and at.by] == [("across", "window")]
+    unknown = read("a round table and a lamp in the opposite corner")
     assert [unknown.span(c.start, c.end) for c in unknown.parsed.missed] == ["the opposite corner"]
 
 

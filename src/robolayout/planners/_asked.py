@@ -111,7 +111,9 @@ def join_as_asked(cast: Mapping[str, Cast], demands: Sequence[Demand], passage: 
     faced = {one.asset_names()[1] for one in said(demands) if one.name == "facing_pair"}
     beside = {name for name in faced & joins.keys() if joins[name][1].slot == "beside"}
     wanted = {name: join for name, join in joins.items() if name not in tops | beside} | chains
-    wanted |= _at_right_angles(cast, wanted, demands)
+    rings = dict(_in_rings(cast, wanted, demands, passage))
+    wanted |= dict(_at_right_angles(cast, wanted, demands)) | rings
+    found |= {low: found[low].alone for low, _ in rings.values()}  # in their middle
     placed, central = subjects(demands), amidst_the_room(demands)
     for name in placed - wanted.keys():
         about = [demand for demand in demands if name in subjects([demand])]
@@ -136,8 +138,7 @@ def join_as_asked(cast: Mapping[str, Cast], demands: Sequence[Demand], passage: 
         last = next((one for one in chain(b, found) if found[one].anchor == a), "")
         if last and found[last].join.loose and last not in wanted:
             found[last] = found[last].alone
-    # a projector over the table, a television over a minibar
-    over = [found[high] for high, _ in hung(demands)]
+    over = (found[high] for high, _ in hung(demands))  # a projector over the table, a television over a minibar
     found |= {one.name: one.alone for one in over if one.asset.on_ceiling or one.asset.on_wall}
     for name, (anchor, join) in wanted.items():
         found[name] = found[name].alone
@@ -183,6 +184,19 @@ def _at_their_places(cast: Mapping[str, Cast], demands: Sequence[Demand]) -> Ite
         at_one = top and cast[top].role.top and (cast[b].join.on_top or cast[b].role.name.endswith("seat"))
         if at_one and cast[a].join.on_top and cast[a].asset.on_object:
             yield a, replace(cast[a], anchor=top)
+
+
+def _in_rings(
+    cast: Mapping[str, Cast], wanted: Mapping[str, tuple[str, Join]], demands: Sequence[Demand], passage: float
+) -> Iterator[tuple[str, tuple[str, Join]]]:
+    """Yield how more armchairs than two that are asked around a coffee table without a sofa stand around it, with a way in."""
+    looks, around = looked_at(demands), dict[str, list[str]]()
+    for name, (low, join) in wanted.items():
+        if join.slot in ("flank", "around") and looks.get(name) == low:
+            around.setdefault(low, []).append(name)
+    for low, seats in around.items():
+        if len(seats) > 2 and {cast[name].role.name for name in seats} == {"armchair"}:
+            yield from ((name, (low, replace(AROUND, gap=passage))) for name in seats)
 
 
 def _at_right_angles(
@@ -245,7 +259,9 @@ def _chains(
     between = [demand.exact.asset_names() for demand in demands if isinstance(demand.exact, BetweenTwo)]
     between = [names for names in between if len(names) == 3]
     for names in between:
-        others = said(demand for demand in demands if demand.names() != frozenset(names))
+        others = [*said(demand for demand in demands if demand.names() != frozenset(names))]
+        if any(one.name == "in_rows" and {*names[1:]} & {*one.asset_names()} for one in others):
+            continue  # "a printer between the two groups of desks"
         placing = (one for one in others if one.name not in ("align_with", "point_towards", "next_to", "near"))
         if not any({*names[1:]} <= {*one.asset_names()} for one in placing):
             yield from _side_by_side([cast[name] for name in names], passage)

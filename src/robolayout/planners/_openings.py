@@ -165,12 +165,21 @@ def _placed(room: Room, wishes: RoomWishes, name: str) -> Iterator[tuple[list[li
 def _held_besides(
     room: Room, wishes: RoomWishes, link: Link, there: list[Category]
 ) -> Iterator[tuple[list[list[int]], list[Category]]]:
-    """Yield the walls that a link takes without naming them: the one opposite the door of a shop, a long one for mirrors in a row."""
+    """Yield the walls that a link takes without naming them: the one opposite the door of a shop, a long one for what hangs there.
+
+    That is a row of mirrors, or hooks over a bench between two cabinets.
+    """
     if not room.doors and any({"back", "rear"} & {*at.words} for at in places(link.objects, "side")):
         yield [_meant(room, Place("wall", ("back",)))], there
     mirrors = [wishes.kinds[m.thing.noun.kind] for m in mentions(link.objects) if m.thing.noun.kind == "mirror"]
     if mirrors and link.relation == "front" and sum(m.count for m in link.subjects) > 2:  # chairs, each before its own
         yield [_meant(room, Place("wall", ("long",)))], mirrors
+    over = {thing for k in wishes.reading.parsed.links if k.relation == "above" for thing in named(k.objects)}
+    if link.relation == "amid" and over & named(link.subjects) and all(m.opens for m in mentions(link.objects)):
+        yield (
+            [_meant(room, Place("wall", ("long",)))],
+            [wishes.kinds[m.thing.noun.kind] for m in mentions(link.objects)],
+        )
 
 
 def _held(room: Room, wishes: RoomWishes, least: float, but: Collection[str] = ()) -> set[int]:

@@ -3,14 +3,26 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence, Set
 from dataclasses import dataclass
 
 from robolayout._errors import SceneError
 from robolayout.constraints.in_shape import shape_slots
 from robolayout.planners._wishes import RoomWishes
 from robolayout.scene import FLAT_HEIGHT
-from robolayout.words import BETWEEN_BEDS, CROWD, SHAPES, Link, Mention, NamedThing, named, place_in, places, rows_of
+from robolayout.words import (
+    BETWEEN_BEDS,
+    CROWD,
+    SHAPES,
+    Link,
+    Mention,
+    NamedThing,
+    mentions,
+    named,
+    place_in,
+    places,
+    rows_of,
+)
 
 
 @dataclass(frozen=True)
@@ -60,7 +72,9 @@ def room_size(wishes: RoomWishes, wished: Mapping[str, int], stretch: float) -> 
     if wishes.reading.shape == "L-shaped":
         area *= 1.2
     area *= max(1.0, wishes.reading.way / SIZES.way)
-    ratio = 1.0 if wishes.reading.square else stretch * width / depth
+    ratio = wishes.reading.ratio or stretch * width / depth
+    if wishes.reading.ratio and any(len(named(k.subjects)) > 2 and _sideways(k) for k in wishes.reading.parsed.links):
+        ratio = 1 / ratio  # "a narrow kitchen with everything along the left wall"
     width = max(math.sqrt(area * ratio), longest + SIZES.walkway)
     if given is not None:
         return (round(width, 2), round(given[0] / width, 2))
@@ -72,43 +86,38 @@ def room_size(wishes: RoomWishes, wished: Mapping[str, int], stretch: float) -> 
     return (round(width, 2), round(depth, 2))
 
 
+def _sideways(link: Link) -> bool:
+    """Return whether things stand along the left or the right wall."""
+    at = place_in(link.objects, "wall")
+    return at is not None and not {"left", "right", "east", "west"}.isdisjoint(at.words)
+
+
 def _blocks(wishes: RoomWishes) -> Iterator[tuple[float, float]]:
     """Yield how wide and how deep rows and blocks that are told are in metres, with what stands before them and ways around."""
     links = wishes.reading.parsed.links
     told = {thing for link in links if link.relation == "rows" for thing in named(link.subjects)}
     for link in links:
         line = [mention for mention in link.subjects if mention.thing.category.on_floor]
+        flanked = [m for m in mentions(link.objects) if link.relation == "amid" and m.count == 2 and m.opens]
+        line = flanked if line and flanked else line  # "a bench between two cabinets"
         at = place_in(link.objects, "wall") if link.relation == "wall" else None
-        if line and (link.relation in ("row", "abreast") or (at is not None and at.at_one_wall)):
+        if line and (link.relation in ("row", "abreast") or flanked or (at is not None and at.at_one_wall)):
             sizes = [(one.count, *wishes.kinds[wishes.kind(one.thing)].size) for one in line]
             own = named(line)  # and what is between them
-            amid = {m for k in links if k.relation == "amid" and own & named(k.objects) for m in k.subjects}
-            parted = sum(m.count * (min(wishes.kinds[wishes.kind(m.thing)].size[:2]) + SIZES.parted) for m in amid)
+            parted = _amid(wishes, own)
             told_gaps = (k for k in links if k.relation == "apart" and not k.objects and named(k.subjects) == own)
             many = sum(count for count, *_ in sizes)
             parted += max((k.metres[0] for k in told_gaps), default=0.0) * (many - 1)
             wide = sum(count * width for count, _, width, _ in sizes) + parted + SIZES.around
             seated = sum(m.count for k in links if own & named(k.objects) for m in k.subjects if m.sat_on)
             wide += SIZES.walkway * (seated >= 2 * many)  # to who sits on its other side
-            tall = max(height for *_, height in sizes) > SIZES.low
-            yield wide, wide if tall else 0.0  # tall things need a wall without a window
-        grouped = link.relation == "groups" and link.rows > 2
-        for thing in named(link.subjects) if link.relation in SHAPES or grouped else ():
-            kind = wishes.kind(thing)
-            depth, width, _ = wishes.kinds[kind].size
-            apart = SIZES.apart[link.relation == "circle" or grouped]
-            shape = SHAPES.get(link.relation, "circle")
-            slots = shape_slots(shape, max(link.rows if grouped else thing.count, 3), depth, width, apart)
-            round_it = max(depth, width) + 2 * SIZES.around + SIZES.walkway * kind.endswith(("desk", "table"))
-            wide, deep = (max(at[k] for at in slots) - min(at[k] for at in slots) + round_it for k in (1, 0))
-            if grouped and thing.head == "desk":  # with their backs to each other
-                wide, deep = (
-                    math.ceil(link.rows / 2) * width + 2 * SIZES.around + SIZES.walkway,
-                    2 * (depth + SIZES.between),
-                )
-            if grouped:  # each a circle of seats, or an island, in two rows
-                yield math.ceil(thing.count / link.rows / 2) * wide, min(2, thing.count // link.rows) * deep
-                continue
+            over = any(k.relation == "above" and named(k.objects) & (own | named(link.subjects)) for k in links)
+            tall = over or max(height for *_, height in sizes) > SIZES.low
+            yield wide, wide if tall else 0.0  # a wall without a window
+        yield from _clusters(wishes, link)
+        yield from _gathered(wishes, link)
+        for thing in named(link.subjects) if link.relation in SHAPES else ():
+            wide, deep = _around(wishes, thing, SHAPES[link.relation], thing.count)
             before = any(k.relation in ("facing", "front") and thing in named(k.subjects) for k in links)
             yield wide, deep + SIZES.before * before
             yield wide * before, wide * before  # what is before it may be at any wall
@@ -125,6 +134,52 @@ def _blocks(wishes: RoomWishes) -> Iterator[tuple[float, float]]:
             beside = (0.0, SIZES.around, SIZES.before)  # what stands beyond, at no side, one or two
             yield wide + beside[across], deep + beside[ahead]
         yield from _in_rows(wishes, link, line, told)
+
+
+def _clusters(wishes: RoomWishes, link: Link) -> Iterator[tuple[float, float]]:
+    """Yield how wide and deep groups that stand apart in two rows are, with what is between them: circles of seats, islands of desks."""
+    for thing in named(link.subjects) if link.relation in ("groups", "shares") and link.rows else ():
+        each = link.rows if link.relation == "groups" else math.ceil(thing.count / link.rows)
+        if each <= 2:
+            continue
+        wide, deep = _around(wishes, thing, "circle", each)
+        if thing.head == "desk":  # with their backs to each other
+            depth, width, _ = wishes.kinds[wishes.kind(thing)].size
+            wide, deep = math.ceil(each / 2) * width + 2 * SIZES.around + SIZES.walkway, 2 * (depth + SIZES.between)
+        amid = _amid(wishes, {thing})
+        yield math.ceil(thing.count / each / 2) * wide + amid, min(2, thing.count // each) * deep + amid
+
+
+def _gathered(wishes: RoomWishes, link: Link) -> Iterator[tuple[float, float]]:
+    """Yield how wide and deep coffee tables are, side by side, with more than two armchairs around each."""
+    for low in named(link.objects) if link.relation == "around" else ():
+        chairs = [m for m in link.subjects if m.thing.head == "armchair"]
+        if (
+            low.noun.kind == "coffee table"
+            and len(chairs) == len(link.subjects)
+            and sum(m.count for m in chairs) > 2 * low.count
+        ):
+            deep, wide, _ = wishes.kinds[wishes.kind(low)].size
+            seat = wishes.kinds[wishes.kind(chairs[0].thing)].size[0]
+            beyond = 2 * (seat + SIZES.around)
+            yield low.count * (max(wide, deep) + beyond), max(wide, deep) + beyond + SIZES.around
+
+
+def _amid(wishes: RoomWishes, ends: Set[NamedThing]) -> float:
+    """Return how many metres what is between some things takes, with what it takes beside its own."""
+    links = wishes.reading.parsed.links
+    amid = {m for k in links if k.relation == "amid" and ends & named(k.objects) for m in k.subjects}
+    return sum(m.count * (min(wishes.kinds[wishes.kind(m.thing)].size[:2]) + SIZES.parted) for m in amid)
+
+
+def _around(wishes: RoomWishes, thing: NamedThing, shape: str, count: int) -> tuple[float, float]:
+    """Return how wide and deep a shape of some things is, with ways around it."""
+    kind = wishes.kind(thing)
+    depth, width, _ = wishes.kinds[kind].size
+    slots = shape_slots(shape, max(count, 3), depth, width, SIZES.apart[shape == "circle"])
+    round_it = max(depth, width) + 2 * SIZES.around + SIZES.walkway * kind.endswith(("desk", "table"))
+    wide, deep = (max(at[k] for at in slots) - min(at[k] for at in slots) + round_it for k in (1, 0))
+    return wide, deep
 
 
 def _in_rows(

@@ -73,6 +73,12 @@ def rowed(demands: Iterable[Demand]) -> set[str]:
     return {name for one in said(demands) if isinstance(one, InRows) and one.rows is None for name in one.asset_names()}
 
 
+def blocks(demands: Iterable[Demand]) -> list[tuple[str, ...]]:
+    """Return what is asked to stand in so many rows, block by block."""
+    found = (one.asset_names() for one in said(demands) if isinstance(one, InRows) and one.rows is not None)
+    return [*dict.fromkeys(found)]
+
+
 def looked_at(demands: Iterable[Demand]) -> dict[str, str]:
     """Return what is asked to look at another thing, with that."""
     pairs = (one.asset_names() for one in said(demands) if one.name == "point_towards")

@@ -26,6 +26,9 @@ class Saying:
     first: float = 0.6
     only: float = 8.0
     """Weights of the first of several ways of standing, where the middle of the room is as good and where it is a last resort."""
+    straight: float = 2.0
+    apart: float = 4.0
+    """Weights of two groups of like things that are told: of standing straight to the other one, and apart from it."""
     joined: float = 1.0  # weight of standing at what a thing joins, where it may stand elsewhere
     middle: float = 3.0  # weight of standing right in the middle of the room, where the words ask something to be there
     before: tuple[float, float] = (1.2, 4.0)  # metres between who speaks and the middle of the first row that listens
@@ -52,6 +55,7 @@ class Writer:
         self.asked = asked.subjects(words)  # of these roles only wish where they stand
         self.ringed, self.audience = asked.ringed(cast, words), asked.audience(cast, words)
         self.rowed, self.watching = asked.rowed(words), asked.watching(cast, words)
+        self.groups = asked.blocks(words)
         # before their corner, the wall for all of a row or the floor of a ring is taken
         self.first = asked.needing_room(cast, words) | self.ringed.keys()
         self.walled, self.formed = asked.held_by_walls(words), asked.formed(words)
@@ -73,7 +77,7 @@ class Writer:
         rank = min([top.role.rank, *before])  # a mirror is hung when its chair has its turn
         hangs = bool(self.asked) and hung and not before and top.name not in seen
         late = (hangs or rank >= SAYING.small) and top.name not in self.asked
-        turn = (rank, -top.asset.size[0] * top.asset.size[1], top.name)
+        turn = (rank, top.name not in self.asked, -top.asset.size[0] * top.asset.size[1], top.name)
         return (top.name not in self.first, late, *turn, name != top.name, self.cast[name].role.rank)
 
     def lines(self, name: str) -> Iterator[str]:
@@ -217,8 +221,14 @@ class Writer:
         return equal[-count:] if large and _modes(item)[0] == "wall" else equal
 
     def _in_rows(self, item: Cast, equal: Sequence[str]) -> Iterator[str]:
-        """Yield that equal things stand in rows, with the last of them."""
-        if len(equal) > 1 and equal[-1] == item.name:
+        """Yield that equal things stand in rows, with the last of them; two groups that are told stand straight to each other."""
+        groups = [group for group in self.groups if {*group} <= {*self._equal(item)}]
+        two = len(groups) == 2 and not {*groups[0]} & {*groups[1]}
+        if two and any(item.name in group for group in groups):
+            other = next(group for group in groups if item.name not in group)[0]
+            yield _wish(f"align_with({self._name(item.name)}, {self._name(other)})", SAYING.straight)
+            yield _wish(f"grouped({self._name(item.name)}, {self._list([other])})", -SAYING.apart)
+        if not two and len(equal) > 1 and equal[-1] == item.name:
             prefer, open_way = item.role.prefer, passage(self.scene)
             aisle, gap = prefer.get("aisle", open_way), prefer.get("gap", open_way)
             backs = ', backs="paired"' if prefer.get("paired", 0) > 0 else ""

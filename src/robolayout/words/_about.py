@@ -10,7 +10,7 @@ from itertools import takewhile
 from robolayout.scene import FLAT_HEIGHT
 from robolayout.words import _function_words as small
 from robolayout.words._appositions import LISTED
-from robolayout.words._chunk import Chunk
+from robolayout.words._chunk import Chunk, opening_before
 from robolayout.words._references import References
 from robolayout.words._said import Item, Link, Mention, Place, mentions, named, place_in, place_of
 from robolayout.words._tokens import Measure
@@ -96,6 +96,9 @@ class About(References):
         self.at += 1
         if word.value == "it" and self.opening is not None and {m.thing for m in self.recent} <= named(self.about):
             return self.opening  # "The window is in the north wall. Under it is a desk."
+        opening = opening_before(self.chunks[: self.at - 2]) if word.value == "it" and chunk.value != "on" else None
+        if opening is not None:
+            return place_of(opening)
         own, meant = named(self.about), (self.acted or self.group)[-1:]
         if not which:
             others = [m for m in self.recent or self.before if m.thing not in own][-1:]
@@ -305,8 +308,9 @@ class About(References):
         there = [m for k in at for m in k.subjects if m.thing not in named(subjects)]
         if not {"opposite", "opposing"} & {*place.words}:
             return []
-        before = [m for m in (*self.recent, *self.group) if m.thing not in named(subjects)][-1:]
-        return there or [m for m in before if m.thing.head in small.AT_WALLS or m.thing.category.places == ("wall",)]
+        there = there or [m for m in (*self.recent, *self.group) if m.walled and m.thing not in named(subjects)][-1:]
+        self.said.missed += [] if there else [self._ahead(-1)]
+        return there
 
     def _nearest(self, relation: str) -> list[Mention]:
         """Return what a relation right after a noun is about: small things "on" something all together, else the noun."""
@@ -317,7 +321,9 @@ class About(References):
         hung = noun is not None and any("wall" in kind.places for kind in noun.categories)
         several = self.target is not None and self.target.several and not any(one.several for one in self.group)
         told = relation in ("by", "next", "near", "holds", *(("on", "wall") if following == "wall" and hung else ()))
-        told = told or (relation == "rows" and several)  # "a lectern facing chairs in two rows"
+        borne = self.said.last.relation == "on" and self.target is not None and self.target.several and bool(self.group)
+        borne = borne and self.group[-1].several and relation in small.ORDERS  # "computers on desks in three rows"
+        told = told or borne or (relation == "rows" and several)  # "a lectern facing chairs in two rows"
         last = self.group[-1:] or list(self.subject or ([self.target] if self.target is not None else []))
         does = {*self._ahead(-1).adjectives} & small.PLURAL_DOES and not self.relative  # "a sofa and a chair face it"
         heads = [mention.thing.head for mention in self.group[-2:]]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections import Counter
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence, Set
 from dataclasses import replace
 from functools import partialmethod
 from itertools import pairwise
@@ -64,6 +64,8 @@ class AtSides(AtPlaces):
     opposed: Sequence[tuple[str, str]]
     """Each two that are asked to face each other."""
 
+    put: Set[str]
+    central: Set[str]
     lounging: Mapping[str, tuple[str, tuple[float, float]]]
     """Several sofas, with armchairs, that are around a low table: at which side of it, and how far from it, each is."""
 
@@ -207,6 +209,8 @@ class AtSides(AtPlaces):
         """A shape before something is open to it; two that face each other before a fireplace stand on both sides of its middle."""
         if {*it.subjects} <= {*self.told.shape}:
             return tuple(self.told.opening(it.subjects, [AssetRef(b) for b in it.others]))
+        if all(self._is(a, small.WATCHED) for a in it.subjects) and all(self._is(b, small.SEATS) for b in it.others):
+            return tuple(by_ways(ways_of.OPPOSITE, a, b) for a, b in it.twos)  # a television in front of the sofa
         pairs = [two for two in self.opposed if {*two} <= {*it.subjects}]
         if len(it.others) != 1 or 2 * len(pairs) != len(it.subjects) or not self._is(it.others[0], small.WATCHED):
             return ()
@@ -346,6 +350,21 @@ class AtSides(AtPlaces):
         for number, wall in enumerate(walls):
             for angle in (0.0, 180.0) if (depth < width) == across else (90.0, 270.0):
                 yield (stated("align_with", AssetRef(a), WallRef(wall), angle), *near[number : number + 1])
+
+    def _straight(self, subjects: Sequence[str], others: Sequence[str]) -> Iterator[Way]:
+        """Yield how one seat is opposite several that have their place: "two armchairs by the fire, and a sofa facing them"."""
+        placed = len(others) > len(subjects) == 1 and others[0] in self.put
+        seats = placed and all(self._is(name, small.SEATS) for name in (*subjects, *others))
+        for b in others if seats else ():
+            yield from by_ways(ways_of.OPPOSITE_SEATS[:1], subjects[0], b).ways
+
+    def _squarely(self, a: str, place: Place | None, angles: Sequence[float]) -> Iterator[Way]:
+        """Yield how a thing in the middle of the room faces a door or window: straight to its wall, not askew."""
+        openings = openings_meant(self.room, place) if place is not None and place.name in ("door", "window") else ()
+        for opening in openings if a in self.central else ():
+            yield from (
+                (stated("align_with", AssetRef(a), WallRef(opening.wall), (270.0 + one) % 360.0),) for one in angles
+            )
 
     def _gap(self, a: str, to: tuple[AssetRef | PointRef | WallRef, ...], low: float, high: float) -> Demand:
         """Return that so many metres lie between a thing and the nearest of some others; a bed may have another wall at its head."""

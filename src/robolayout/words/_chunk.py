@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
-from itertools import pairwise
+from itertools import pairwise, takewhile
 
 from robolayout.words._function_words import DETERMINERS, LATTER, LEVELS, REST
 from robolayout.words._lexicon import Noun, grammar
@@ -110,6 +110,15 @@ def without_noun(
     count = -(count_of(but) or 0) if but else count_of(number or "")
     chunk = replace(last, start=at, end=end, det=det, number=count, bound="", plural=many, rows=0)
     return replace(chunk, adjectives=tuple(told.split()) if told else last.adjectives if last.kind == "part" else ())
+
+
+def opening_before(chunks: Sequence[Chunk]) -> Chunk | None:
+    """Return the door or window that one thing after it may be related to: "a window in the north wall and a desk under it"."""
+    since = [*takewhile(lambda chunk: chunk.kind not in ("stop", "colon", "verb"), reversed(chunks))]
+    ahead = [*takewhile(lambda chunk: chunk.value not in ("window", "door"), since)]
+    things = [chunk for chunk in ahead if chunk.kind == "thing"]
+    led = [chunk.kind for chunk in since[len(ahead) + 1 : len(ahead) + 2]] == ["rel"]  # "a bed by the window, ..."
+    return since[len(ahead)] if len(things) == 1 and len(ahead) < len(since) and not led else None
 
 
 def _looks(told: str) -> bool:

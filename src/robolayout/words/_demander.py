@@ -19,7 +19,7 @@ from robolayout.words._places import Asked, walls_meant
 from robolayout.words._rows import ToldRows, alike, in_rows, neighbours, on_a_wall
 from robolayout.words._said import Link, Mention, NamedThing, Place, mentions, named, place_in, places
 from robolayout.words._shelves import shelved
-from robolayout.words.demands import Demand, Way, by_ways, single, stated
+from robolayout.words.demands import Demand, by_ways, single, stated
 
 
 class Demander(AtSides):
@@ -39,6 +39,7 @@ class Demander(AtSides):
         self.askew = {name for link, it in asked if link.relation == "diagonal" for name in it.subjects}
         twos = [(link.relation, *two) for link, it in asked for two in it.twos]
         self.put = {a for _, a, _ in twos}  # what stands at another thing
+        self.across = {frozenset((a, b)) for how, a, b in twos if how == "opposite"}
         sat_on = {a for a in self.put if self._is(a, small.SEATS)}
         seats = Counter(b for how, a, b in twos if how in ("with", "around") and a in sat_on)
         on_floor = [(how, a, b) for how, a, b in twos if self._asset(a).on_floor]
@@ -65,6 +66,9 @@ class Demander(AtSides):
         self.between = {b: min(self._asset(a).size[:2]) for it in amid for a in it.subjects for b in it.others}
         mutual = [it.subjects for link, it in asked if link.relation == "mutual"]
         self.opposed = [two for names in mutual for two in zip(names[::2], names[1::2], strict=False)]
+        self.central = {
+            name for link, it in asked if link.relation == "middle" and not it.others for name in it.subjects
+        }
         self.lounging = self._lounging(it for link, it in asked if link.relation == "around")
         self.told = ToldRows(scene, [(link, it.subjects, it.others) for link, it in asked])
 
@@ -214,6 +218,9 @@ class Demander(AtSides):
         if it.sided == "outer" and it.others[1:]:
             yield self._outside(it)
             return
+        if any({*two} <= {*it.subjects} for two in self.opposed) and (before := self._front(it)):
+            yield from before  # "two armchairs flanking a fireplace, facing each other"
+            return
         by: dict[str, list[str]] = {}
         for a, b in it.twos:
             if self._is(b, small.BEARING) and self._asset(a).on_object and not self._asset(a).on_floor:
@@ -318,7 +325,7 @@ class Demander(AtSides):
                 targets = [AssetRef(others[i])]
             angles = self._looks(a)[: 1 if a in self.looking else 2]
             looks = ((stated("point_towards", AssetRef(a), b, angle),) for b in targets for angle in angles)
-            ways = [*self._straight(subjects, others), *looks]
+            ways = [*self._straight(subjects, others), *self._squarely(a, it.place, angles), *looks]
             if len(others) == len(subjects) > 1 and self._into_a_mirror(a, others[i]):
                 ways = [*by_ways(ways_of.BEFORE_A_MIRROR, a, others[i]).ways]
             if len(others) >= ways_of.CROWD and alike(self.scene, others):
@@ -328,13 +335,6 @@ class Demander(AtSides):
                 ways = [*by_ways(ways_of.ABREAST, a, subjects[0]).ways, *ways]
             if ways:
                 yield Demand(tuple(ways))
-
-    def _straight(self, subjects: Sequence[str], others: Sequence[str]) -> Iterator[Way]:
-        """Yield how one seat is opposite several that have their place: "two armchairs by the fire, and a sofa facing them"."""
-        placed = len(others) > len(subjects) == 1 and others[0] in self.put
-        seats = placed and all(self._is(name, small.SEATS) for name in (*subjects, *others))
-        for b in others if seats else ():
-            yield from by_ways(ways_of.OPPOSITE_SEATS[:1], subjects[0], b).ways
 
     def _visiting_or_open(self, it: Asked) -> list[Demand]:
         """Return where seats stand that face a desk at which somebody sits, and that a shape is open to what it faces; else nothing."""
@@ -412,7 +412,7 @@ class Demander(AtSides):
     def _seen(self, it: Asked) -> Iterator[Demand]:
         for i, b in enumerate(it.others):  # "visible from the bed and from the sofa"
             seen = it.subjects[i * len(it.subjects) // len(it.others)]
-            yield single(stated("point_towards", AssetRef(b), AssetRef(seen)))
+            yield single(*(stated("point_towards", AssetRef(b), AssetRef(seen), angle) for angle in ways_of.SEEN))
 
     def _amid(self, it: Asked) -> Iterator[Demand]:
         """Between two things, or a thing and a place: near both, and on the line between them."""
@@ -432,6 +432,7 @@ class Demander(AtSides):
             pairs = [(across[0], across[1])] if len(across) == 2 else neighbours(ends, len(it.subjects))
             one, two = pairs[it.subjects.index(a) % len(pairs)]
             far = lines and all(len(group) > 2 for group in it.groups)  # rows along walls
+            far = far or frozenset(getattr(end, "name", "") for end in (one, two)) in self.across
             near = tuple(
                 stated("near", AssetRef(a), end, ways_of.ACROSS if far else self._within(a, end)) for end in (one, two)
             )

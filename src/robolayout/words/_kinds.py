@@ -74,7 +74,8 @@ def _settle_by_company(parsed: Parsed, heads: Set[str]) -> None:
         elif thing.noun.kind == "kitchen sink" and "bathroom" in rooms:
             _take(thing, "bathroom vanity")
         elif meant := small.OF_ROOMS.get(thing.noun.said, {}).keys() & rooms:
-            _take(thing, small.OF_ROOMS[thing.noun.said][min(meant)])
+            kind = small.OF_ROOMS[thing.noun.said][min(meant)]
+            _take(thing, thing.noun.kind if kind in kinds else kind)  # "a bench and a workbench"
         elif thing.noun.said in small.OF_PETS and (pets or thing.of_pet):
             _take(thing, f"pet {thing.noun.said}")
             thing.of_pet = True
@@ -182,4 +183,6 @@ def _where(link: Link) -> str:
         return "floor"  # "an armchair with a lamp"
     if link.relation == "flank" and bearer.noun.kind.endswith("bed"):
         return ""  # on the night stands
-    return "object" if standing and bearer.places == ("object",) else standing
+    # "a mirror to the left of the hooks"
+    same = bearer.places in (("object",), *[("wall",)] * (link.relation in ("left", "right")))
+    return bearer.places[0] if standing and same else standing

@@ -37,6 +37,7 @@ class Grammar:
     walls: Mapping[str, str]  # names of walls by adjective
     sizes: Mapping[str, tuple[float, float, float]]  # factors on depth, width and height by adjective
     rooms: Mapping[str, float]  # factors on the floor of a room by adjective
+    ratios: Mapping[str, float]  # how many times as long as wide a room is by adjective
     models: Mapping[str, tuple[float, float, float]]  # sizes in metres by adjective and kind ("king bed")
     kinds: Mapping[str, str]  # nearest kinds of nouns that the catalogue does not have
     groups: Mapping[str, tuple[str, ...]]  # last words of the kinds that nouns for several of them mean
@@ -53,7 +54,17 @@ class Grammar:
     @cached_property
     def adjectives(self) -> frozenset[str]:
         """All words before nouns that mean something or ask for nothing."""
-        lists = (self.styles, self.sizes, self.walls, self.fillers, self.rooms, LOOKS, self.functions, self.parts)
+        lists = (
+            self.styles,
+            self.sizes,
+            self.walls,
+            self.fillers,
+            self.rooms,
+            self.ratios,
+            LOOKS,
+            self.functions,
+            self.parts,
+        )
         models = (word for model in self.models for word in model.split())
         return frozenset(word for words in (*lists, models, BEFORE_NOUNS) for word in words)
 
@@ -68,7 +79,7 @@ def grammar() -> Grammar:
     phrases |= {phrase: ("alone", phrase) for phrase in SPARING} | {phrase: ("not", phrase) for phrase in INSTEAD}
     phrases |= {phrase: ("rel", name) for name, given in data["relations"].items() for phrase in given}
     phrases = {phrase.replace(" the ", " "): named for phrase, named in phrases.items()} | phrases  # "on left side of"
-    lists: dict[str, Any] = {"rooms": data["rooms"]}
+    lists: dict[str, Any] = {name: data[name] for name in ("rooms", "ratios")}
     for name in ("fillers", "styles", "functions", "airy"):
         lists[name] = frozenset(map(plain, data[name]["words"]))
     for name in ("parts", "walls", "kinds", "heads", "places", "floors"):

@@ -86,7 +86,7 @@ def corners_meant(room: Room, place: Place) -> list[int]:
     how, by = place.by
     middles = [room.walls[opening.wall].point(opening.center) for opening in openings(room, by.name)]
     away = {i: min((math.dist(at[i], middle) for middle in middles), default=0.0) for i in meant}
-    several = place.det == "each" or place.plural  # "in each corner opposite the door"
+    several = place.det == "each" or place.plural or how == "across"  # "in each corner opposite the door"
     return sorted(away, key=lambda i: away[i], reverse=how != "near")[: 1 + several]
 
 

@@ -197,15 +197,6 @@ class References(Spoken):
         self.said.read.update(range(last.start, last.end))
         return [replace(to, words=(*to.words, "middle"))]
 
-    def _opposite_corner(self, place: Place) -> Place:
-        """Return the corner across from that of before: "the bed in the north-west corner, the desk in the opposite one"."""
-        before = [at.words for link in self.said.links for at in places(link.objects, "corner")][-1:]
-        if place.name != "corner" or place.by or not {"opposite", "opposing", "diagonal"} & {*place.words}:
-            return place
-        told = [small.ACROSS[word] for word in (before[0] if before else ()) if word in small.ACROSS]
-        self.said.missed += [] if before else [self._ahead(-1)]
-        return replace(place, words=(*told,) or ("opposite",))
-
     def _led_back(self, relation: str) -> Sequence[Item]:
         """Return what a relation leads to where nothing is named: "a loft bed with a desk underneath", "a bed on the left"."""
         if relation == "opposite":  # of a single seat, bed or desk: "a bed ..., a mirror on the wall opposite"
@@ -216,6 +207,8 @@ class References(Spoken):
             here = [k.subjects for k in self._here if k.relation != "with"][-1:]
             # "a washer and a dryer along a wall, an ironing board opposite"
             return faced or [m for each in here for m in each[:1] if m.thing not in named(self.about)]
+        if relation == "end":
+            return self._last_of(small.TOPS, named(self.about))  # "a table with ten chairs, a podium at the head"
         if relation == "foot" and (beds := self._last_of(small.SLEPT_ON, named(self.about))):
             return beds
         last = self.said.last

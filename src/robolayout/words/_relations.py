@@ -184,7 +184,8 @@ class Relating(About):
         if chunk.value == "amid" and self._ahead(-1).value == "them":
             facing = self._between_the_last()  # "two armchairs opposite the sofa with a table between them"
             objects = facing if facing and all(one.sat_on for one in mentions(facing)) else objects
-        self._keep(chunk.value, objects, pronoun=its or self._ahead(-1).kind == "pron", fronted=not subjects)
+        fronted = not subjects or (not self.about and chunk.value != "between")
+        self._keep(chunk.value, objects, pronoun=its or self._ahead(-1).kind == "pron", fronted=fronted)
         if not self._in_turn(chunk, objects):
             self._relate_to(chunk, subjects, objects, first, every=every)
 
@@ -424,7 +425,8 @@ class Relating(About):
         before = [*dropwhile(lambda c: c.kind == "style", reversed(self.chunks[: self.at - 1]))]
         known = next(dropwhile(lambda c: c.kind in ("other", "function"), before), NOTHING)
         # "a cabinet with gadgets along the wall", but not "a cabinet with gadgets on it"
-        held = self.group and (known.kind == "with" or self.having) and self._ahead().kind != "pron"
+        having = self.having and known.kind != "comma"  # but "a pool table, cues on the wall"
+        held = self.group and (known.kind == "with" or having) and self._ahead().kind != "pron"
         return known not in (*before[:1], NOTHING) and known.kind in ("and", "comma", "with") and not held
 
     def _reversed(self, chunk: Chunk, subjects: list[Mention], objects: Sequence[Item]) -> None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Set
+from collections.abc import Iterable, Sequence, Set
 from dataclasses import dataclass, field, replace
 
 from robolayout.assets import Category
@@ -146,9 +146,33 @@ class Mention:
         return self.thing.count if self.pick is None else self.pick.stop - self.pick.start
 
     @property
+    def one(self) -> bool:
+        """Whether "it" can stand for this: one thing, said in the singular ("hooks" are several)."""
+        hooks = self.thing.plural or (not self.det and self.thing.noun.kind.endswith("hooks"))
+        return self.thing.count == 1 and not hooks
+
+    @property
     def several(self) -> bool:
         """Whether more than one is meant."""
         return self.count > 1
+
+    @property
+    def walled(self) -> bool:
+        """Whether it stands at a wall, as people furnish, or hangs on one."""
+        return self.thing.head in small.AT_WALLS or self.opens or self.thing.places == ("wall",)
+
+    def admits(self, relation: str, about: Sequence[Mention]) -> bool:
+        """Return whether people put something so to it: nothing behind a fridge or beside a rug, lamps over tables alone."""
+        bears = self.thing.head in (*small.TOPS, *small.BEARING)
+        if about and all(one.thing.places == ("ceiling",) for one in about):
+            return bears
+        beside = relation in (*small.AT_SIDES, "behind")
+        return not ((beside and self.flat) or (relation == "behind" and self.opens and not bears))
+
+    @property
+    def opens(self) -> bool:
+        """Whether it has doors or drawers, so that it stands at a wall."""
+        return self.thing.category.open_depth > 0
 
     @property
     def flat(self) -> bool:

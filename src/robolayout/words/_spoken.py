@@ -248,6 +248,9 @@ class Spoken:
         on = [(named(k.subjects), named(k.objects)) for k in self.said.links if k.relation == "on"]
         # "a camera on a tripod before it", "a printer on a cabinet next to it"
         own = own.union(*(top for laid, top in on if own & laid), *(laid for laid, top in on if own & top))
+        aside, of = self.contrast[0], mentions(self.contrast[1])
+        if word == "it" and not self.about and relation == aside and of:
+            return of  # "behind it a table with four chairs, in front of it a rug"
         if relation == "foot" and (bed := self._last_of(small.SLEPT_ON, own)):
             return bed  # "a wardrobe opposite the beds and a rug at their feet"
         if word.startswith("the row"):
@@ -265,12 +268,8 @@ class Spoken:
             whole = whole and [c.kind for c in self.chunks[max(self.at - 4, 0) : self.at]][:1] == ["comma"]
             return (whole and self._kept(word, relation, own)) or self.holder
         amid = mentions(self.said.last.objects) if self.said.last.relation == "amid" else []
-        if (
-            word in small.SEVERAL
-            and len(amid) == 1
-            and amid[0].several
-            and relation in (*small.AT_SIDES, "behind", "front")
-        ):
+        beside = relation in (*small.AT_SIDES, "behind", "front")
+        if word in small.SEVERAL and len(amid) == 1 and amid[0].several and beside:
             return amid  # "two armchairs, a table between them and a bookcase behind one of them"
         if word in small.SEVERAL:
             held = [m for m in earlier if holder is None or many or m.thing is not holder.thing]
@@ -287,7 +286,9 @@ class Spoken:
         if chunk.value == "on" and place.name == "wall":  # "a rack, magazines and a TV on the wall"
             subjects = [m for m in subjects if m.thing.places != ("object",)] or subjects
         alone = "same" in place.words and len(subjects) == 1 and not subjects[0].several
-        return self.recent[-2:] if alone else subjects  # "a wardrobe and a dresser on the same wall"
+        every = any(c.value == "all" or c.det == "all" for c in self.chunks[max(self.at - 4, 0) : self.at - 1])
+        last = [*{m.thing: m for m in self.recent}.values()][-2 * (not every) :]
+        return last if alone else subjects  # "a wardrobe and a dresser on the same wall"
 
     def _of_a_thing(self, part: Chunk) -> bool:
         """Return whether a part is one of a thing that follows, and go there: "opposite the foot of the bed"."""
@@ -308,6 +309,18 @@ class Spoken:
         own = any(m.sat_on for m in self.about) if long else sided
         wall = across or ((long or several) and (not own or self._ahead(-1).kind == "room"))
         return replace(place_of(chunk), name="wall") if chunk.value == "side" and wall else place_of(chunk)
+
+    def _opposite_corner(self, place: Place) -> Place:
+        """Return the corner across from that of before: "the bed in the north-west corner, the desk in the opposite one"."""
+        before = [at.words for link in self.said.links for at in places(link.objects, "corner")][-1:]
+        if place.name != "corner" or place.by or not {"opposite", "opposing", "diagonal"} & {*place.words}:
+            return place
+        at = [opening for link in self._here if (opening := place_in(link.objects[:1], "window", "door"))][-1:]
+        if at and not before:  # "the bed under the window, the desk in the opposite corner"
+            return replace(place, words=(), by=("across", at[0]))
+        told = [small.ACROSS[word] for word in (before[0] if before else ()) if word in small.ACROSS]
+        self.said.missed += [] if before else [self._ahead(-1)]
+        return replace(place, words=(*told,) or ("opposite",))
 
     def _number_of(self, item: Item) -> int:
         """Return how many there are of a thing, of corners or walls, of doors or windows that are asked for."""
@@ -375,12 +388,18 @@ class Spoken:
 
     def _last(self, word: str, relation: str, earlier: list[Mention], to: list[Mention]) -> list[Mention]:
         """Return what was named last in this sentence, by itself or as what a relation led to, else in the one before."""
+        free = [[m for m in given if m.admits(relation, self.about)] for given in (earlier, to)]
+        if any(free) and free[0][-1:] != earlier[-1:]:  # "a wine fridge next to the bar, a shelf behind it"
+            earlier, to = free[1] or free[0], free[1]
         if relation in small.ROUND_IT:  # "a lamp over a table, and chairs around it"
             off = {"wall", "ceiling", *(("object",) if relation == "around" else ())}
             there = [[m for m in given if {*m.thing.places} - off] for given in (earlier, to)]
             earlier, to = there if any(m.thing.count == 1 for given in there for m in given) else (earlier, to)
-        single, led = ([m for m in given if m.thing.count == 1] for given in (earlier, to))
-        if word == "it" and earlier and earlier[-1].thing.count > 1:
+        if self.about and all(m.sat_on for m in self.about) and earlier and earlier[-1].laid:
+            sat_at = [m for m in (*earlier, *to) if m.thing.head in small.TOPS]
+            earlier = sat_at or earlier  # "a vise on the bench and a stool in front of it"
+        single, led = ([m for m in given if m.one] for given in (earlier, to))
+        if word == "it" and earlier and not earlier[-1].one:  # "hooks above the bench, a rack below it"
             earlier = led or single or earlier
         before = self.before[:1]
         if word == "it" and before and before[0].several:  # "Six chairs are around it. A lamp hangs above it."
@@ -394,7 +413,10 @@ class Spoken:
         """Return what "them" stands for: several things named at once, or the last two."""
         own = named(self.about)
         on = {thing for k in self.said.links if own & named(k.objects) for thing in named(k.subjects)}
-        earlier = [m for m in earlier if m.thing not in on or not m.topped]
+        again = (m.pick is None and m.thing in named(earlier[i:]) for i, m in enumerate(earlier, 1))  # "each desk"
+        earlier = [
+            m for m, said in zip(earlier, again, strict=True) if not said and (m.thing not in on or not m.topped)
+        ]
         several = [m for m in earlier if m.thing.count > 1]
         if several and earlier[-1:] == several[-1:]:
             lines = relation == "amid" and [m.count > 2 for m in several[-2:]] == [True, True]
@@ -415,7 +437,7 @@ class Spoken:
             return
         self.told, self.by_it = self._ahead(-1).start, pronoun and fronted
         things = [item for item in mentions(objects) if item.thing.count == 1]
-        if not pronoun or relation in small.OF_A_SIDE:
+        if not pronoun or fronted or relation in small.OF_A_SIDE:
             aside = relation in ("left", "right")  # "a desk before the window, a chair behind it" is behind the desk
             side = things[:1] or [item for item in objects[:1] if aside and place_in([item], "door", "window")]
             told = (small.OTHER_SIDE[relation], side) if relation in small.OTHER_SIDE else ("", [])

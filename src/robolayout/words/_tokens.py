@@ -90,7 +90,7 @@ _TOKEN = re.compile(
     rf"w/o\b|(?:twenty|{'|'.join(_TENS[:-1])})[- ](?:{_WORDS})\b"
     r"|(?:north|south|east|west)[- ]facing(?= (?:\w+ )?(?:window|door|wall))"
     r"|[a-z]+-(?:in|mounted|hung)\b|\d+(?:\.\d+)?|[^\W\d_]+(?:'[^\W\d_]+)*|[.;!?:\n]|,|[()&+]"
-    r"|(?<=\S[ \t])[-\u2013](?= \D)|\u2014|(?<=\w)/(?=\w)"
+    r"|(?<=\S[ \t])[-\u2013](?= \D)|\u2014|(?<=\w)/(?=\w)|(?<= )/(?= )"
 )
 
 
@@ -195,6 +195,8 @@ def _counted(words: list[Token]) -> list[Token]:
             more = (1, ["for"])
         elif first and text[0].isdecimal() and text[1] in ("seat", "seater") and first < len(_SPELT):
             more = (2, [_SPELT[first].split()[0], "seater"])  # "a 3 seat sofa"
+        elif text[0] == "/" and found and text[1] and found[-1].end < words[at].start < words[at + 1].start - 1:
+            more = (1, [";"])  # "bed under window / desk right of bed"
         elif text[0] == "/":  # "sofa/armchair/lamp", but "a sofa/bed"
             more = (1, ["and"] if len(found) < 2 or found[-2].text not in ("a", "an", "the", "one", "/") else [])
         elif (aged := _aged(text)) is not None:

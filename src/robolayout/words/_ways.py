@@ -57,6 +57,9 @@ PAST_A_SEAT = (0.7, 1.6)
 ACROSS = 12.0
 """Metres that may lie between two things that are opposite to each other."""
 
+SEEN = (0.0, 20.0, 340.0, 40.0, 320.0)
+"""Degrees by which a seat may be turned from what is visible from it, the relation allows 10 more."""
+
 OPPOSITE: Ways = ((("in_front_of", 0.0, ACROSS),),)
 OPPOSITE_SEATS: Ways = tuple((*OPPOSITE[0], look) for look in (("align_with", 180.0), ("point_towards",)))
 """Where things are that are opposite to another one, and where seats, which face it."""

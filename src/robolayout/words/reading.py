@@ -168,9 +168,10 @@ class Reading:
         return next((grammar().rooms[word] for word in said if word in grammar().rooms), 1.0)
 
     @property
-    def square(self) -> bool:
-        """Whether a square room is asked for."""
-        return any("square" in chunk.adjectives for chunk in self.parsed.facts if chunk.kind == "room")
+    def ratio(self) -> float | None:
+        """How many times as long as wide a room is to be ("a square room", "a narrow kitchen"), None if nobody says."""
+        said = [word for chunk in self.parsed.facts if chunk.kind == "room" for word in chunk.adjectives]
+        return next((grammar().ratios[word] for word in said if word in grammar().ratios), None)
 
 
 def read_text(text: str, lexicon: Lexicon) -> Reading:

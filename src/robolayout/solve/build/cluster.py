@@ -18,7 +18,7 @@ from robolayout.assets.surfaces import slots
 from robolayout.constraints import AssetRef
 from robolayout.constraints.around import Around, Slot, left_gap
 from robolayout.scene import Scene
-from robolayout.solve.build.joining import BELOW
+from robolayout.solve.build.joining import AIM, BELOW
 from robolayout.solve.build.member import MARGIN, Member, Size, box_of, overlaps
 from robolayout.solve.build.tops import Top
 from robolayout.solve.build.wants import Want
@@ -177,7 +177,9 @@ class ClusterBuilder:
         """At the slots of the relation `around`; seats that are told to be at one side take the ones there."""
         told = [side for one in self.followers[anchor.name] if (side := _told_side(one))]
         seats = tuple(AssetRef(item.name) for item in (*items, *[items[0]] * len(told)))
-        slots = [(slot, _side_of(slot[2])) for slot in Around(seats, AssetRef(anchor.name)).slots(self.scene)]
+        gap = max(item.joined.gap for item in items)
+        around = Around(seats, AssetRef(anchor.name), gap if gap > AIM else None)
+        slots = [(slot, _side_of(slot[2])) for slot in around.slots(self.scene)]
         for side in told:
             slots.remove(([slot for slot in slots if slot[1] == side] or slots)[-1])
         there = zip(items, slots, strict=True)

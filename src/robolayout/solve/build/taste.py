@@ -34,6 +34,9 @@ def taste(site: Site, batch: Places, weights: Mapping[str, float]) -> Cost:
     """Return the cost (n,) of a batch of places for the wishes of its anchor."""
     name = batch.cluster.anchor
     cost = wished(site, name, batch.poses[:, :2], weights) + _facing(site, name, batch.poses)
+    for other, weight in site.wants[name].straight:
+        if other in site.spots:
+            cost += weight * np.abs(np.sin(batch.poses[:, 2] - site.spots[other].member.yaw))
     return cost + _along_walls(site, batch, weights) if batch.mode in ("wall", "corner") else cost
 
 

@@ -82,6 +82,8 @@ class Want:
     numbered: tuple[tuple[Corner | AtWindow, float], ...] = ()  # wishes for one corner or window, with weights
     # what it should be near, any of them, with a weight; below 0 far from
     near: tuple[tuple[tuple[str, ...], float], ...] = ()
+    # what it is wished to be straight to without standing at it, with weights
+    straight: tuple[tuple[str, float], ...] = ()
     # metres kept free on some sides; none: as its kind is used
     clear: Mapping[str, float] = field(default_factory=dict[str, float])
     face: Facing | None = None  # what it has in front of it
@@ -278,6 +280,11 @@ class _Gathered:
             at=tuple(self._at()),
             over=tuple(self._over()),
             height=next((one.height for one, _ in self._all(MountedOn) if one.height is not None), 0.0),
+            straight=tuple(
+                (one.b.name, wish)
+                for one, wish in self._all(AlignWith)
+                if wish is not None and isinstance(one.b, AssetRef) and join is None
+            ),
             anchor=anchor,
             join=join,
             loose=join is not None and (not demanded or bool(self._modes())),
