@@ -10,10 +10,14 @@ from typing import Any
 
 import numpy as np
 import pytest
+from shapely import unary_union
 
 import robolayout as rl
+from robolayout.constraints import AssetRef
+from robolayout.constraints._exact import footprint
+from robolayout.constraints.against_wall import AgainstWall
 from robolayout.planners import OfflinePlanner, PlanRequest, scene_from_sentence
-from robolayout.program import read_program, reconcile
+from robolayout.program import Program, read_program, reconcile
 from robolayout.run.verdict import make_judge
 from robolayout.scene import Asset, Layout, Opening, Pose, Room, Scene, load_agent, load_scene
 from robolayout.solve import Verdict, compile_problem
@@ -334,3 +338,46 @@ def test_mats_in_rows_lie_in_a_block_before_the_mirror_that_they_face() -> None:
     assert len(mats) == 10
     assert [one.source for one in program.statements if not one.relation.check(scene, built).met] == []
     assert all(math.cos(built[mat].yaw - built["mirror-0"].yaw) == pytest.approx(-1.0, abs=1e-6) for mat in mats)
+
+
+def built(text: str) -> tuple[Scene, Program, Layout]:
+    scene, _ = scene_from_sentence(text)
+    asked = read_words(scene).demands
+    program = reconcile(read_program(OfflinePlanner().plan(PlanRequest(scene, asked=asked)), scene), scene).program
+    return scene, program, compile_problem(scene, program).guess
+
+
+def test_two_groups_of_desks_stand_straight_to_each_other_and_apart() -> None:
+    """They stood across each other, or as one block."""
+    scene, _, layout = built("an office with eight desks in two groups of four")
+    one, two = (
+        unary_union([footprint(scene, layout, AssetRef(f"desk-{i}")) for i in range(first, first + 4)])
+        for first in (0, 4)
+    )
+    assert abs(math.sin(layout["desk-0"].yaw - layout["desk-4"].yaw)) < 1e-6
+    assert one.distance(two) > 0.3
+
+
+def test_armchairs_around_a_coffee_table_leave_a_way_in() -> None:
+    """The table stood before one of them, the others where they would; a ring so narrow that nobody gets to a seat."""
+    scene, program, layout = built("a lounge with four armchairs around a coffee table")
+    assert make_judge(scene, program)(layout).ok
+    sides = {
+        round(math.degrees(layout[f"armchair-{i}"].yaw - layout["coffee_table-0"].yaw) / 90.0) % 4 for i in range(4)
+    }
+    assert sides == {0, 1, 2, 3}
+
+
+def test_what_is_opposite_something_stands_at_a_wall_where_the_room_has_one_for_it() -> None:
+    """A wardrobe opposite a desk stood in the middle of the bedroom: the desk was placed first, across from the bed."""
+    scene, _, layout = built("a bedroom with a wardrobe opposite the desk")
+    assert AgainstWall(AssetRef("wardrobe-0"), None).check(scene, layout).met
+
+
+def test_what_words_place_is_placed_before_what_they_do_not() -> None:
+    """A counter that nobody asked for took the window, and the sink had no room for the dishwasher at its right."""
+    scene, program, layout = built(
+        "kitchen with the sink under the window, the dishwasher to the right of the sink, the fridge near the door, "
+        "and the stove opposite the sink"
+    )
+    assert all(one.relation.check(scene, layout).met for one in program.statements)

@@ -169,7 +169,7 @@ class Run:
             rank = (found.solution.verdict.merit, not report.ok)
             if best is None or rank < least:
                 best, least, seed = found, rank, tried.seed
-            elif isinstance(planner, OfflinePlanner):
+            elif isinstance(planner, OfflinePlanner) and not best.solution.verdict.ok:
                 break  # the search no longer gains; who hears what was wrong may do better the next time
             verdict = found.solution.verdict
             served = report.ok and not verdict.barred  # the judge asks for more free floor than the report demands

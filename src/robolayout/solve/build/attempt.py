@@ -198,14 +198,9 @@ class BuildPass:
         nudge = 0.0 if self.calm else COSTS.shuffle
         below = [under for name in self.site.late for under in asked_below(self.site, name)]
         wide = {one for one in below if below.count(one) > 1}  # its wall has to have room for all that hangs over it
-        early = wide.union(self.first)
+        ahead = [len(by_kind) * any(one.name in wide.union(self.first) for one in items) for items in by_kind.values()]
         turns = [
-            (
-                turn + nudge * self.rng.normal() - len(by_kind) * any(item.name in early for item in items),
-                turn,
-                items,
-            )
-            for turn, items in enumerate(by_kind.values())
+            (turn + nudge * self.rng.normal() - ahead[turn], turn, items) for turn, items in enumerate(by_kind.values())
         ]
         for *_, items in turns:
             items.sort(key=lambda item: -item.asset.size[0] * item.asset.size[1])
@@ -296,7 +291,10 @@ class BuildPass:
         if dear and "middle" not in modes:
             self.lost = before
             return self._place(cluster, {**modes, "middle": MISSED}, weights)
-        if self.site.missed(batch.cluster.members, batch.poses[[row]])[0] >= MISSED:
+        afloat = modes[batch.mode] > COSTS.hopeless and self.site.said.yields(
+            [member.name for member in cluster.members]
+        )
+        if afloat or self.site.missed(batch.cluster.members, batch.poses[[row]])[0] >= MISSED:
             self.missed.add(cluster.anchor)
         return self._do(_Step(partial(_put, batch=batch, row=row), cost, cluster, modes, weights))
 

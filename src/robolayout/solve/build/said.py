@@ -17,6 +17,7 @@ from robolayout.constraints import AssetRef, FrameTerm, MirrorTerm, PointRef, Re
 from robolayout.constraints.above import Above
 from robolayout.constraints.against_wall import AgainstWall
 from robolayout.constraints.align_with import AlignWith
+from robolayout.constraints.keep_clear import KeepClear
 from robolayout.constraints.mounted_on import MountedOn
 from robolayout.constraints.on_top_of import OnTopOf
 from robolayout.constraints.under import Under
@@ -57,6 +58,12 @@ class Said:
         """Return the statements that have to do with some assets."""
         known = set(names)
         return [one for one in self.asked if known & one.names]
+
+    def yields(self, names: Sequence[str]) -> bool:
+        """Return whether others make way if some things are placed first: nothing that hangs is asked of them, no floor is kept."""
+        kept = any(isinstance(part, KeepClear) for one in self.asked for way in one.ways for part in way)
+        others = (self.scene.by_name[name] for one in self.about(names) for name in one.names)
+        return not kept and all(asset.on_floor or asset.on_object for asset in others)
 
     @cached_property
     def above(self) -> Mapping[str, Sequence[str]]:
