@@ -291,7 +291,7 @@ class BuildPass:
         if dear and "middle" not in modes:
             self.lost = before
             return self._place(cluster, {**modes, "middle": MISSED}, weights)
-        afloat = modes[batch.mode] > COSTS.hopeless and self.site.said.yields(
+        afloat = modes[batch.mode] > COSTS.hopeless and self.site.said.may_go_first(
             [member.name for member in cluster.members]
         )
         if afloat or self.site.missed(batch.cluster.members, batch.poses[[row]])[0] >= MISSED:

@@ -59,7 +59,7 @@ class Said:
         known = set(names)
         return [one for one in self.asked if known & one.names]
 
-    def yields(self, names: Sequence[str]) -> bool:
+    def may_go_first(self, names: Sequence[str]) -> bool:
         """Return whether others make way if some things are placed first: nothing that hangs is asked of them, no floor is kept."""
         kept = any(isinstance(part, KeepClear) for one in self.asked for way in one.ways for part in way)
         others = (self.scene.by_name[name] for one in self.about(names) for name in one.names)
