@@ -16,7 +16,9 @@ import robolayout as rl
 from robolayout._errors import ProgramError, SceneError
 from robolayout.planners import OfflinePlanner, PlanRequest
 from robolayout.run import bettering
-from robolayout.scene import Opening, layout_from_dict
+from robolayout.run.flow import Run
+from robolayout.scene import Layout, Opening, layout_from_dict
+from robolayout.verify import Report
 from running import ROOT, Furnished
 
 TINY = {
@@ -330,3 +332,16 @@ def test_a_pose_that_no_file_may_give_is_judged_as_none(x: float) -> None:
 def test_comparing_takes_bodies_as_generate_does() -> None:
     found = rl.compare(rl.Scene(rl.Room(SQUARE, 2.5), (BED,)), "cat,child_6", config=rl.SolverConfig(starts=1))
     assert [one.scene.agent.name for one in found] == ["cat", "child_6"]
+
+
+def test_another_program_is_tried_where_words_ask_for_more_than_its_statements(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A way that words ask for is no statement: every chair of a cafe was to be reached, and one was not."""
+    looked: list[Layout] = []
+
+    def meant(_: Run, layout: Layout, report: Report) -> bool:
+        looked.append(layout)
+        return len(looked) > 1
+
+    monkeypatch.setattr(Run, "_meant", meant)
+    result = rl.generate(ROOT / "examples" / "bedroom.json", seed=0)
+    assert len(looked) == 2 and result.layout == looked[1]

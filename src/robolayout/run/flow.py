@@ -165,14 +165,18 @@ class Run:
                 [tried.asked], self.scene, {}, seed=tried.seed, built=tried.built, ways=attempts == 1
             )[0]
             report = verify(self.scene, found.solution.layout, found.asked)
-            # A thing that stands too high is nothing that the solver could move, but another program may put it lower.
-            rank = (found.solution.verdict.merit, not report.ok)
+            # A thing that stands too high is nothing that the solver could move, but another program may put it lower,
+            # and meet what the words ask for beside its statements: a way for the body.
+            meant = not isinstance(planner, OfflinePlanner) or self._meant(found.solution.layout, report)
+            rank = (found.solution.verdict.merit, not (report.ok and meant))
             if best is None or rank < least:
                 best, least, seed = found, rank, tried.seed
             elif isinstance(planner, OfflinePlanner) and not best.solution.verdict.ok:
                 break  # the search no longer gains; who hears what was wrong may do better the next time
             verdict = found.solution.verdict
-            served = report.ok and not verdict.barred  # the judge asks for more free floor than the report demands
+            served = (
+                report.ok and meant and not verdict.barred
+            )  # the judge asks for more free floor than the report demands
             if served or (verdict.ok and (any(one.impossible for one in report.agents) or found.denied(report))):
                 break
             lost, things = best.solution.verdict.hard + best.solution.verdict.access, len(self.scene.assets)
@@ -184,6 +188,11 @@ class Run:
         with self.clock.station("solve"):
             given: dict[str, Any] = {"seed": seed, "config": self.config, "progress": self.say}
             return replace(best, solution=bettered(self.scene, best.reconciled.program, best.solution, **given))
+
+    def _meant(self, layout: Layout, report: Report) -> bool:
+        """Return whether a layout leaves nothing unmet that the words ask for."""
+        asked = self.wishes.judged(self.scene, layout, report.agents[0].navigation.main)
+        return all(row.verdict != "unmet" for row in asked)
 
     def edited(self, planner: Planner, program: str | None, start: Layout, pinned: Mapping[str, Pose]) -> Attempt:
         """Mend a layout with the least change; what it does not place is planned and fitted in."""
