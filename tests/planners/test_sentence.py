@@ -382,6 +382,10 @@ def test_nothing_is_added_of_which_something_else_does_the_work(text: str, none:
         ("a sofa, a TV and two plants", "living room"),
         ("a bunk bed against the left wall, a desk with a laptop and two chairs", "children's room"),
         ("stove, fridge, sink", "kitchen"),
+        ("a kitchen island with two pendant lamps above and four stools", "kitchen"),
+        ("a dentist's room with a treatment chair and an instrument table on its right", "hospital room"),
+        ("a one-room apartment: kitchenette on the left wall, bed on the right", "studio"),
+        ("an entrance hall with a reception desk opposite the door", "reception"),
     ],
 )
 def test_the_things_say_which_room_it_is(text: str, room: str) -> None:

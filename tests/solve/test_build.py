@@ -39,6 +39,13 @@ def judged(scene: Scene) -> Verdict:
     return make_judge(scene, program)(compile_problem(scene, program).guess)
 
 
+def built(text: str) -> tuple[Scene, Program, Layout]:
+    scene, _ = scene_from_sentence(text)
+    asked = read_words(scene).demands
+    program = reconcile(read_program(OfflinePlanner().plan(PlanRequest(scene, asked=asked)), scene), scene).program
+    return scene, program, compile_problem(scene, program).guess
+
+
 def turned(scene: Scene, degrees: float) -> Scene:
     c, s = math.cos(math.radians(degrees)), math.sin(math.radians(degrees))
     corners = tuple((c * x - s * y + 3.0, s * x + c * y - 2.0) for x, y in scene.room.vertices)
@@ -191,10 +198,8 @@ def test_what_is_placed_first_may_belong_to_what_is_placed_first_too() -> None:
         "A nail salon with three manicure tables in a row, a stool on each side of every table, a desk lamp on every table, "
         "a sofa by the window and a reception desk near the door."
     )
-    scene, _ = scene_from_sentence(text)
-    asked = read_words(scene).demands
-    program = reconcile(read_program(OfflinePlanner().plan(PlanRequest(scene, asked=asked)), scene), scene).program
-    assert len(compile_problem(scene, program).guess) == len(scene.assets)
+    scene, _, layout = built(text)
+    assert len(layout) == len(scene.assets)
 
 
 def test_what_stands_beside_a_follower_is_not_put_into_its_leader() -> None:
@@ -213,10 +218,8 @@ def test_what_stands_beside_a_follower_is_not_put_into_its_leader() -> None:
 
 def test_what_misses_what_is_said_of_it_is_placed_first_in_the_next_attempt() -> None:
     text = "A nursery of 3.6 x 3.8 m with a crib, a rocking chair in the corner next to a small bookcase and a changing table"
-    scene, _ = scene_from_sentence(text)
-    asked = read_words(scene).demands
-    program = reconcile(read_program(OfflinePlanner().plan(PlanRequest(scene, asked=asked)), scene), scene).program
-    report = verify(scene, compile_problem(scene, program).guess, program)
+    scene, program, layout = built(text)
+    report = verify(scene, layout, program)
     assert all(statement.met for statement in report.statements), "the bookcase and what is larger took all corners"
 
 
@@ -338,13 +341,6 @@ def test_mats_in_rows_lie_in_a_block_before_the_mirror_that_they_face() -> None:
     assert len(mats) == 10
     assert [one.source for one in program.statements if not one.relation.check(scene, built).met] == []
     assert all(math.cos(built[mat].yaw - built["mirror-0"].yaw) == pytest.approx(-1.0, abs=1e-6) for mat in mats)
-
-
-def built(text: str) -> tuple[Scene, Program, Layout]:
-    scene, _ = scene_from_sentence(text)
-    asked = read_words(scene).demands
-    program = reconcile(read_program(OfflinePlanner().plan(PlanRequest(scene, asked=asked)), scene), scene).program
-    return scene, program, compile_problem(scene, program).guess
 
 
 def test_two_groups_of_desks_stand_straight_to_each_other_and_apart() -> None:

@@ -263,19 +263,6 @@ def test_only_one_that_has_something_leaves_out_no_other_furniture() -> None:
     assert kinds("a bedroom with two nightstands, but only one has a lamp on it")["bed"] == 1
 
 
-@pytest.mark.parametrize(
-    ("text", "room"),
-    [
-        ("a kitchen island with two pendant lamps above and four stools", "kitchen"),
-        ("a dentist's room with a treatment chair and an instrument table on its right", "hospital room"),
-        ("a one-room apartment: kitchenette on the left wall, bed on the right", "studio"),
-        ("an entrance hall with a reception desk opposite the door", "reception"),
-    ],
-)
-def test_a_room_is_told_by_what_is_in_it(text: str, room: str) -> None:
-    assert scene_from_sentence(text)[1].room_type == room
-
-
 def test_a_bench_in_a_workshop_is_one_to_work_at() -> None:
     assert kinds("a garage workshop with a pegboard above the bench and a stool in front of it")["workbench"] == 1
 

@@ -44,10 +44,7 @@ class BetweenTwo(Relation):
         return (FrameTerm(self.a, middle, along=Interval(-most, most), across=Interval(-half, half)),)
 
     def check(self, scene: Scene, layout: Layout) -> Outcome:
-        """On the line between the centres, or its middle no farther aside than b or c reaches; between their edges along it.
-
-        Or its middle is before both, within their widths: a coffee table before a sofa and an armchair that form an L.
-        """
+        """On the line of the centres, or its middle no farther aside than b or c reaches, between their edges; or before both fronts."""
         here, free = layout[self.a.name], self._free(scene, layout)
         (x, y), (u, v) = free.coords[0], free.coords[-1]
         along = ((here.x - x) * (u - x) + (here.y - y) * (v - y)) / (free.length or 1.0)
@@ -79,7 +76,10 @@ class BetweenTwo(Relation):
         return max(min(max(TOLERANCE.aside / 2, first, second), TOLERANCE.aside), within)
 
     def _before_both(self, scene: Scene, layout: Layout) -> bool:
-        """Return whether the middle of a is at most `NEAR` before the fronts of b and c, no farther aside than these reach."""
+        """Return whether the middle of a is at most `NEAR` before the fronts of b and c, no farther aside than these reach.
+
+        So is a coffee table before a sofa and an armchair that form an L.
+        """
         at = layout[self.a.name].at
         for ref in (self.b, self.c):
             if not isinstance(ref, AssetRef) or scene.by_name[ref.name].on_wall:

@@ -174,12 +174,11 @@ def _held_besides(
     mirrors = [wishes.kinds[m.thing.noun.kind] for m in mentions(link.objects) if m.thing.noun.kind == "mirror"]
     if mirrors and link.relation == "front" and sum(m.count for m in link.subjects) > 2:  # chairs, each before its own
         yield [_meant(room, Place("wall", ("long",)))], mirrors
-    over = {thing for k in wishes.reading.parsed.links if k.relation == "above" for thing in named(k.objects)}
-    if link.relation == "amid" and over & named(link.subjects) and all(m.opens for m in mentions(link.objects)):
-        yield (
-            [_meant(room, Place("wall", ("long",)))],
-            [wishes.kinds[m.thing.noun.kind] for m in mentions(link.objects)],
-        )
+    ends = mentions(link.objects)
+    if link.relation == "amid" and ends and all(m.opens for m in ends):
+        over = {thing for k in wishes.reading.parsed.links if k.relation == "above" for thing in named(k.objects)}
+        if over & named(link.subjects):
+            yield [_meant(room, Place("wall", ("long",)))], [wishes.kinds[m.thing.noun.kind] for m in ends]
 
 
 def _held(room: Room, wishes: RoomWishes, least: float, but: Collection[str] = ()) -> set[int]:

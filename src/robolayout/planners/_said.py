@@ -73,7 +73,7 @@ def rowed(demands: Iterable[Demand]) -> set[str]:
     return {name for one in said(demands) if isinstance(one, InRows) and one.rows is None for name in one.asset_names()}
 
 
-def blocks(demands: Iterable[Demand]) -> list[tuple[str, ...]]:
+def in_blocks(demands: Iterable[Demand]) -> list[tuple[str, ...]]:
     """Return what is asked to stand in so many rows, block by block."""
     found = (one.asset_names() for one in said(demands) if isinstance(one, InRows) and one.rows is not None)
     return [*dict.fromkeys(found)]

@@ -55,7 +55,7 @@ class Writer:
         self.asked = asked.subjects(words)  # of these roles only wish where they stand
         self.ringed, self.audience = asked.ringed(cast, words), asked.audience(cast, words)
         self.rowed, self.watching = asked.rowed(words), asked.watching(cast, words)
-        self.groups = asked.blocks(words)
+        self.groups = asked.in_blocks(words)
         # before their corner, the wall for all of a row or the floor of a ring is taken
         self.first = asked.needing_room(cast, words) | self.ringed.keys()
         self.walled, self.formed = asked.held_by_walls(words), asked.formed(words)
@@ -222,7 +222,8 @@ class Writer:
 
     def _in_rows(self, item: Cast, equal: Sequence[str]) -> Iterator[str]:
         """Yield that equal things stand in rows, with the last of them; two groups that are told stand straight to each other."""
-        groups = [group for group in self.groups if {*group} <= {*self._equal(item)}]
+        alike = {*self._equal(item)}
+        groups = [group for group in self.groups if {*group} <= alike]
         two = len(groups) == 2 and not {*groups[0]} & {*groups[1]}
         if two and any(item.name in group for group in groups):
             other = next(group for group in groups if item.name not in group)[0]

@@ -167,16 +167,14 @@ class Run:
             report = verify(self.scene, found.solution.layout, found.asked)
             # A thing that stands too high is nothing that the solver could move, but another program may put it lower,
             # and meet what the words ask for beside its statements: a way for the body.
-            meant = not isinstance(planner, OfflinePlanner) or self._meant(found.solution.layout, report)
-            rank = (found.solution.verdict.merit, not (report.ok and meant))
+            fine = report.ok and (not isinstance(planner, OfflinePlanner) or self._meant(found.solution.layout, report))
+            rank = (found.solution.verdict.merit, not fine)
             if best is None or rank < least:
                 best, least, seed = found, rank, tried.seed
             elif isinstance(planner, OfflinePlanner) and not best.solution.verdict.ok:
                 break  # the search no longer gains; who hears what was wrong may do better the next time
             verdict = found.solution.verdict
-            served = (
-                report.ok and meant and not verdict.barred
-            )  # the judge asks for more free floor than the report demands
+            served = fine and not verdict.barred  # the judge asks for more free floor than the report demands
             if served or (verdict.ok and (any(one.impossible for one in report.agents) or found.denied(report))):
                 break
             lost, things = best.solution.verdict.hard + best.solution.verdict.access, len(self.scene.assets)

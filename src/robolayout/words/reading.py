@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import combinations, pairwise
 
@@ -164,14 +164,17 @@ class Reading:
     @property
     def scale(self) -> float:
         """By how much the floor is larger or smaller than usual, as far as words say it."""
-        said = [word for chunk in self.parsed.facts if chunk.kind == "room" for word in chunk.adjectives]
-        return next((grammar().rooms[word] for word in said if word in grammar().rooms), 1.0)
+        return self._of_the_room(grammar().rooms) or 1.0
 
     @property
     def ratio(self) -> float | None:
         """How many times as long as wide a room is to be ("a square room", "a narrow kitchen"), None if nobody says."""
+        return self._of_the_room(grammar().ratios)
+
+    def _of_the_room(self, known: Mapping[str, float]) -> float | None:
+        """Return what the first known adjective of the room says, None if none is known."""
         said = [word for chunk in self.parsed.facts if chunk.kind == "room" for word in chunk.adjectives]
-        return next((grammar().ratios[word] for word in said if word in grammar().ratios), None)
+        return next((known[word] for word in said if word in known), None)
 
 
 def read_text(text: str, lexicon: Lexicon) -> Reading:

@@ -61,9 +61,13 @@ class Said:
 
     def may_go_first(self, names: Sequence[str]) -> bool:
         """Return whether others make way if some things are placed first: nothing that hangs is asked of them, no floor is kept."""
-        kept = any(isinstance(part, KeepClear) for one in self.asked for way in one.ways for part in way)
         others = (self.scene.by_name[name] for one in self.about(names) for name in one.names)
-        return not kept and all(asset.on_floor or asset.on_object for asset in others)
+        return not self.keeps_clear and all(asset.on_floor or asset.on_object for asset in others)
+
+    @cached_property
+    def keeps_clear(self) -> bool:
+        """Whether floor beside some thing is demanded clear."""
+        return any(isinstance(part, KeepClear) for one in self.asked for way in one.ways for part in way)
 
     @cached_property
     def above(self) -> Mapping[str, Sequence[str]]:
