@@ -237,9 +237,10 @@ solver.mounted_on(television[0])
 """
 
 
-def test_a_block_in_rows_is_built_whole_before_the_screen_that_one_of_it_looks_at() -> None:
-    scene = Scene(replace(ROOM, vertices=((0, 0), (5.5, 0), (5.5, 5), (0, 5))), (*SEATS, SCREEN, SMALL))
-    program = reconcile(read_program(BLOCK, scene), scene).program
+@pytest.mark.parametrize("block", [BLOCK, BLOCK.replace("rows=2", "rows=2, central=0.8")])
+def test_a_block_in_rows_is_built_whole_before_the_screen_that_one_of_it_looks_at(block: str) -> None:
+    scene = Scene(replace(ROOM, vertices=((0, 0), (5.5, 0), (5.5, 5.5), (0, 5.5))), (*SEATS, SCREEN, SMALL))
+    program = reconcile(read_program(block, scene), scene).program
     built = compile_problem(scene, program).guess
     assert [one.source for one in program.statements if not one.relation.check(scene, built).met] == []
     side = built["television-0"].yaw

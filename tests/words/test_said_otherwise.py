@@ -52,7 +52,7 @@ def rows(text: str) -> list[Unjudged]:
         ("a hallway with a bench, hooks above the bench and a shoe rack below it", "under(shoe_rack-0, [bench-0])"),
         ("a study with a desk facing the door and a whiteboard on the wall behind me", "in_front_of(whiteboard-0, desk-0"),
         ("two single beds with their heads to the same wall in a bedroom", "against_wall(single_bed-0, walls[0]), "),
-        ("a music room with a grand piano in the center, its keyboard facing the window", "point_towards(grand_piano-0"),
+        ("a music room with a grand piano in the center, its keyboard facing the window", "align_with(grand_piano-0, walls["),
         ("a server room with two rows of four racks, fronts facing each other across a cold aisle", "in_rows([server_rack-0"),
         ("a clinic with a desk with a chair for the doctor and two for patients", "behind(visitor_chair-0, desk-0"),
         ("a living room with a sofa, a lamp to the left and a table to the right of the sofa", "left_of(floor_lamp-0, sofa-0"),

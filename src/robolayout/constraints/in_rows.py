@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from itertools import pairwise
+from itertools import accumulate, pairwise
 
 from robolayout.constraints._exact import TOLERANCE, angle_between, frame, half_size
 from robolayout.constraints._refs import AssetRef
@@ -15,7 +15,7 @@ from robolayout.scene import Layout, Scene
 
 @dataclass(frozen=True)
 class InRows(Relation):
-    """The `items` stand in straight `rows` (None: any), `aisle` to `widest` m apart, `gap` m beside; `backs`: "paired" or "facing"."""
+    """The `items` stand in `rows` (None: any), `aisle` to `widest` m apart, `gap` beside, `central` amid; `backs`: "paired", "facing"."""
 
     name = "in_rows"
     moves = ("items",)
@@ -28,6 +28,7 @@ class InRows(Relation):
     backs: str = argument("text", choices=("alike", "paired", "facing"), default="alike")
     rows: int | None = argument("integer", "none", default=None)
     widest: float | None = argument("number", "none", unit="m", default=None)
+    central: float = argument("number", unit="m", default=0.0)
 
     def fault(self, scene: Scene) -> str:
         """Refuse no rows, more rows than things, and aisles that are at most narrower than they are at least."""
@@ -54,7 +55,14 @@ class InRows(Relation):
         across: list[list[float]] = []
         for line in lines:
             line.sort(key=lambda one: seen[one][1])
-            beside = [half[one][1] + half[two][1] + self.gap for one, two in pairwise(line)]
+        longest = max(lines, key=len)
+        inner = longest[(len(longest) - 1) // 2 :][:2]
+        amid = sum(seen[one][1] for one in inner) / len(inner)
+        for line in lines:
+            beside = [
+                half[one][1] + half[two][1] + max(self.gap, self.central * (seen[one][1] < amid <= seen[two][1]))
+                for one, two in pairwise(line)
+            ]
             across.append(
                 _spread([seen[one][1] for one in line], beside, line.index(first) if first in line else len(line) // 2)
             )
@@ -83,11 +91,13 @@ class InRows(Relation):
         turns = [[{(k % 2 == first) == (self.backs == "facing")} for k in range(len(lines))] for first in (0, 1)]
         by_turns = self.backs == "alike" or ahead in turns[: 1 + len(lines) % 2]  # one row of three is by itself
         close, aside, aisles = self._measured(scene, seen, lines, ahead)
+        central = self._central(scene, seen) if self.central else 0.0
         met = off <= 2 * TOLERANCE.gap and turned <= TOLERANCE.angle and even and by_turns
         text = f"{len(lines)} rows of at most {longest}, up to {off:.2f} m out of line, {turned:.0f} deg off"
         text += f", {min(aisles):.2f} m apart" if aisles else ""
         text += f", one {aside:.2f} m beside the others" if aside > TOLERANCE.gap else ""
-        met = met and max(close, aside) <= TOLERANCE.gap
+        text += f", {central:.2f} m of aisle through them" if self.central else ""
+        met = met and max(close, aside, self.central - central) <= TOLERANCE.gap
         return Outcome(met, max(off, close, aside), 2 * TOLERANCE.gap, "m", text)
 
     def _lines(self, scene: Scene, seen: Mapping[AssetRef, tuple[float, float]]) -> list[list[AssetRef]]:
@@ -98,6 +108,13 @@ class InRows(Relation):
                 lines.append([])
             lines[-1].append(item)
         return lines
+
+    def _central(self, scene: Scene, seen: Mapping[AssetRef, tuple[float, float]]) -> float:
+        """Return how wide the widest straight way between all of them is that leaves at least a third of them on each side, in metres."""
+        spans = sorted((seen[i][1] - half_size(scene, i)[1], seen[i][1] + half_size(scene, i)[1]) for i in self.items)
+        ends = list(accumulate((end for _, end in spans), max))
+        few = range(math.ceil(len(spans) / 3), len(spans) - math.ceil(len(spans) / 3) + 1)
+        return max((spans[k][0] - ends[k - 1] for k in few if k < len(spans)), default=0.0)
 
     def _measured(
         self,

@@ -69,7 +69,7 @@ class Added:
             instead = ("desk", "pew", "sofa", "armchair", "rug") if any(mention.sat_on for mention in formed) else ()
             usual = (*wishes.room.base, *wishes.room.extras)
             self.spared |= {name for name in usual if name.endswith((*instead, "conference table", "dining table"))}
-        self.spared |= {"pew"} if wishes.audience else set()
+        self.spared |= {"pew", "conference table"} if wishes.audience else set()
         sofas = sum(count for name, count in self.wished.items() if wishes.head(name) == "sofa")
         self.spared |= {"armchair"} if sofas > 1 else set()  # who is here sits there
         high = self._roles_of(thing for link in said if link.relation == "above" for thing in named(link.objects))

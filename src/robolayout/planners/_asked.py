@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence, Set
 from dataclasses import dataclass, replace
 
 from robolayout.constraints import AssetRef, PointRef, Relation
@@ -58,6 +58,9 @@ class Gaps:
 GAPS = Gaps()
 
 LEFT = ("left_of({a}, {b}, {gap}, {most})", "align_with({a}, {b})")
+BEFORE_A_FIRE = Join(
+    "front", (), gap=0.6, loose=True, say=("in_front_of({a}, {b}, 0.3, 0.9)", "align_with({a}, {b}, 90)")
+)
 BEHIND = ("behind({a}, {b}, {gap}, {most})", "align_with({a}, {b})")
 PARTING = ("left_of({a}, {b}, {gap}, {most})", "align_with({a}, {b}, 90)")
 """What is said of a thing at the left of another, behind it, and at its left to part it from the next one."""
@@ -115,6 +118,7 @@ def join_as_asked(cast: Mapping[str, Cast], demands: Sequence[Demand], passage: 
     wanted |= dict(_at_right_angles(cast, wanted, demands)) | rings
     found |= {low: found[low].alone for low, _ in rings.values()}  # in their middle
     placed, central = subjects(demands), amidst_the_room(demands)
+    found |= dict(_changed_seats(found, sorted(faced - wanted.keys()), placed | faced | wanted.keys()))
     for name in placed - wanted.keys():
         about = [demand for demand in demands if name in subjects([demand])]
         asset, anchor = found[name].asset, found[name].anchor
@@ -133,11 +137,8 @@ def join_as_asked(cast: Mapping[str, Cast], demands: Sequence[Demand], passage: 
         name: to for name, to in looked_at(demands).items() if name not in wanted and name not in placed.union(crowd)
     }
     wanted |= dict(_before_what_they_face(found, single))
-    for a, b in (pair for relation in said(demands, placing=True) if len(pair := relation.asset_names()) == 2):
-        # what usually stands in a row that ends at what is asked to be placed by one of the row stands by itself
-        last = next((one for one in chain(b, found) if found[one].anchor == a), "")
-        if last and found[last].join.loose and last not in wanted:
-            found[last] = found[last].alone
+    for last in _at_ends_of_rows(found, demands):
+        found[last] = found[last] if last in wanted else found[last].alone
     over = (found[high] for high, _ in hung(demands))  # a projector over the table, a television over a minibar
     found |= {one.name: one.alone for one in over if one.asset.on_ceiling or one.asset.on_wall}
     for name, (anchor, join) in wanted.items():
@@ -151,6 +152,21 @@ def join_as_asked(cast: Mapping[str, Cast], demands: Sequence[Demand], passage: 
     found |= dict(_off_piles(found, wanted, demands))
     found |= {name: one for name, one in _at_their_places(found, demands) if name not in wanted}
     return found | dict(_off_the_wall(found, demands))
+
+
+def _at_ends_of_rows(cast: Mapping[str, Cast], demands: Sequence[Demand]) -> Iterator[str]:
+    """Yield what usually stands in a row that ends at what is asked to be placed by one of the row."""
+    for a, b in (pair for relation in said(demands, placing=True) if len(pair := relation.asset_names()) == 2):
+        last = next((one for one in chain(b, cast) if cast[one].anchor == a), "")
+        yield from [last] * bool(last and cast[last].join.loose)
+
+
+def _changed_seats(cast: Mapping[str, Cast], faced: Iterable[str], placed: Set[str]) -> Iterator[tuple[str, Cast]]:
+    """Yield seats that another one faces, by themselves, and what takes their place before a piano: a seat of which nothing is said."""
+    for seat in (cast[name] for name in faced if cast[name].anchor and cast[name].role.name == "seat"):
+        yield seat.name, seat.alone
+        spare = (one for one in cast.values() if one.role is seat.role and not one.anchor and one.name not in placed)
+        yield from ((one.name, replace(one, anchor=seat.anchor, join=seat.join)) for one in list(spare)[:1])
 
 
 def _off_piles(
@@ -195,7 +211,7 @@ def _in_rings(
         if join.slot in ("flank", "around") and looks.get(name) == low:
             around.setdefault(low, []).append(name)
     for low, seats in around.items():
-        if len(seats) > 2 and {cast[name].role.name for name in seats} == {"armchair"}:
+        if len(seats) > 2 - (len(around) > 1) and {cast[name].role.name for name in seats} == {"armchair"}:
             yield from ((name, (low, replace(AROUND, gap=passage))) for name in seats)
 
 
@@ -262,11 +278,14 @@ def _chains(
         others = [*said(demand for demand in demands if demand.names() != frozenset(names))]
         if any(one.name == "in_rows" and {*names[1:]} & {*one.asset_names()} for one in others):
             continue  # "a printer between the two groups of desks"
+        if any(sum(one.name == "against_wall" for one in way) > 1 for way in _ways_of_both(demands, names[1:])):
+            continue  # "beds on opposite walls and a dresser between them"
         placing = (one for one in others if one.name not in ("align_with", "point_towards", "next_to", "near"))
         if not any({*names[1:]} <= {*one.asset_names()} for one in placing):
             yield from _side_by_side([cast[name] for name in names], passage)
     pairs = [(demand, *one.asset_names()) for demand in demands for one in demand.ways[0] if one.name == "facing_pair"]
     distances = [one for one in said(demands) if isinstance(one, DistanceConstraint)]
+    symmetric = [one.asset_names() for one in said(demands) if one.name == "symmetric_pair"]
     for demand, a, b in pairs:
         top = next((cast[middle] for middle, *ends in between if {*ends} == {a, b}), _before_both(cast, a, b))
         if top is not None and top.role.name.endswith("table") and top.asset.size[2] > GAPS.sat_at:
@@ -278,12 +297,19 @@ def _chains(
         gaps = [demand.gap.low for demand in demands if demand.gap is not None and demand.names() == frozenset((a, b))]
         told = max(between_edges, *gaps) + GAPS.seated if gaps else between_edges + GAPS.seated
         gap = max(GAPS.across, (top.asset.size[0] if top is not None else 0.0) + 2 * GAPS.before, told)
-        yield a, (b, Join("front", (), gap=gap, loose=held, faces="anchor", say=usual_say("front")))
+        fires = [to for one, other, to in symmetric if {one, other} == {a, b}]
+        yield a, (b, Join("front", (), gap=gap, loose=held and not fires, faces="anchor", say=usual_say("front")))
+        yield from ((b, (to, BEFORE_A_FIRE)) for to in fires)
         if top is not None and top.join.slot == "beside":  # a side table, here between the two
             half = (gap - top.asset.size[0]) / 2
             say = f"in_front_of({{a}}, {{b}}, {half - GAPS.seated:.2f}, {half + GAPS.seated:.2f})"
             there = Join("front", (), gap=half, loose=True, faces="anchor", say=(say, *usual_say("front")[1:]))
             yield top.name, (b, there)
+
+
+def _ways_of_both(demands: Iterable[Demand], ends: Sequence[str]) -> Iterator[Sequence[Relation]]:
+    """Yield the first ways of what is asked of two things together."""
+    return (demand.ways[0] for demand in demands if {*ends} <= demand.names())
 
 
 def _before_both(cast: Mapping[str, Cast], a: str, b: str) -> Cast | None:
@@ -313,6 +339,9 @@ def _side_by_side(three: Sequence[Cast], passage: float) -> Iterator[tuple[str, 
             yield from ((a.name, (b.name, _beside(gap, LEFT))) for a, b in ((middle, first), (last, middle)))
         else:
             yield from ((one.name, (middle.name, _beside(gap, usual_say("beside")))) for one in (first, last))
+    elif usual and all(one.asset.on_floor and one.role.stands[:1] == ("wall",) for one in (first, last)):
+        # "the stove between the sink and the fridge"
+        yield from ((a.name, (b.name, _beside(GAPS.seated, LEFT))) for a, b in ((middle, first), (last, middle)))
 
 
 def _join(relation: Relation, a: Cast, b: Cast, asked: Mapping[str, Relation], passage: float) -> Join | None:

@@ -13,10 +13,12 @@ from robolayout.scene import FLAT_HEIGHT
 from robolayout.words import (
     BETWEEN_BEDS,
     CROWD,
+    MIDDLE_AISLE,
     SHAPES,
     Link,
     Mention,
     NamedThing,
+    Place,
     mentions,
     named,
     place_in,
@@ -82,8 +84,15 @@ def room_size(wishes: RoomWishes, wished: Mapping[str, int], stretch: float) -> 
     short, long = sorted((width, depth))
     for across, ahead in _blocks(wishes):  # the longer side of a room holds the longer side of a block
         short, long = (max(pair) for pair in zip((short, long), sorted((across, ahead)), strict=True))
-    width, depth = (short, long) if width <= depth else (long, short)
+    width, depth = (short, long) if width <= depth or _along_a_side(wishes) > short else (long, short)
     return (round(width, 2), round(depth, 2))
+
+
+def _along_a_side(wishes: RoomWishes) -> float:
+    """Return how many metres what stands along the left or the right wall takes there, at the most."""
+    links = (k for k in wishes.reading.parsed.links if k.relation == "wall" and _sideways(k))
+    rows = (sum(one.count * wishes.kinds[wishes.kind(one.thing)].size[1] for one in k.subjects) for k in links)
+    return max(rows, default=-SIZES.around) + SIZES.around
 
 
 def _sideways(link: Link) -> bool:
@@ -114,6 +123,11 @@ def _blocks(wishes: RoomWishes) -> Iterator[tuple[float, float]]:
             over = any(k.relation == "above" and named(k.objects) & (own | named(link.subjects)) for k in links)
             tall = over or max(height for *_, height in sizes) > SIZES.low
             yield wide, wide if tall else 0.0  # a wall without a window
+        if link.relation == "wall" and place_in(link.objects, "window"):  # "five tables along the window"
+            tables = [m for m in line if m.several and m.thing.head == "table"]
+            sizes = (one.count * (wishes.kinds[wishes.kind(one.thing)].size[1] + 2 * SIZES.walkway) for one in tables)
+            yield sum(sizes), 0.0
+        yield from _amid_others(wishes, link)
         yield from _clusters(wishes, link)
         yield from _gathered(wishes, link)
         for thing in named(link.subjects) if link.relation in SHAPES else ():
@@ -122,7 +136,8 @@ def _blocks(wishes: RoomWishes) -> Iterator[tuple[float, float]]:
             yield wide, deep + SIZES.before * before
             yield wide * before, wide * before  # what is before it may be at any wall
         if link.relation == "turning" and place_in(link.objects, "middle", "room"):  # what is at the walls is beyond
-            deep = max((min(kind.size[:2]) for kind in wishes.asked.values() if kind.on_floor), default=0.0)
+            sizes = ((min(kind.size[:2]), kind) for kind in wishes.asked.values() if kind.on_floor)
+            deep = max((size + 2 * SIZES.walkway * kind.name.endswith("table") for size, kind in sizes), default=0.0)
             yield link.metres[0] + 2 * deep, link.metres[0] + 2 * deep
         for ring in wishes.rings([link]):
             yield ring + 2 * SIZES.around, ring + 2 * SIZES.around
@@ -134,6 +149,20 @@ def _blocks(wishes: RoomWishes) -> Iterator[tuple[float, float]]:
             beside = (0.0, SIZES.around, SIZES.before)  # what stands beyond, at no side, one or two
             yield wide + beside[across], deep + beside[ahead]
         yield from _in_rows(wishes, link, line, told)
+
+
+def _amid_others(wishes: RoomWishes, link: Link) -> Iterator[tuple[float, float]]:
+    """Yield how wide and deep what is in the middle of the room is with what is before and behind it."""
+    for thing in named(link.subjects) if place_in(link.objects, "middle") else ():
+        about = (
+            k for k in wishes.reading.parsed.links if k.relation in ("front", "behind") and thing in named(k.objects)
+        )
+        depths = {
+            k.relation: max(wishes.kinds[wishes.kind(m.thing)].size[0] for m in k.subjects) for k in about if k.subjects
+        }
+        depth, width, _ = wishes.kinds[wishes.kind(thing)].size
+        if depths:
+            yield width + 2 * SIZES.around, depth + sum(depths.values()) + (len(depths) + 2) * SIZES.around
 
 
 def _clusters(wishes: RoomWishes, link: Link) -> Iterator[tuple[float, float]]:
@@ -200,10 +229,11 @@ def _in_rows(
         aisle += link.metres[0] * spaced
         width += _beside_a_bed(wishes, thing) if thing.head == "bed" else 0.0
         ahead = rows * (depth + aisle) + SIZES.around + SIZES.before
-        watching = any(k.relation == "facing" and thing in named(k.subjects) for k in links)
+        seen = [item for k in links if k.relation == "facing" and thing in named(k.subjects) for item in k.objects]
+        hung = any(isinstance(item, Place) or not item.thing.category.on_floor for item in seen)
         ends = SIZES.seated if thing.head == "bed" else 0.0  # a door beside their heads
-        yield each * (width + gap) + 2 * SIZES.around + ends, ahead
-        yield ahead * watching, ahead  # what they watch may be at any wall
+        yield each * (width + gap) + 2 * SIZES.around + ends + MIDDLE_AISLE * (link.sided == "aisle"), ahead
+        yield ahead * hung, ahead  # what they watch may be at any wall
 
 
 def _beside_a_bed(wishes: RoomWishes, bed: NamedThing) -> float:

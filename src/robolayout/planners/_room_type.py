@@ -9,7 +9,7 @@ from robolayout._errors import SceneError
 from robolayout.assets import CATALOGUE
 from robolayout.planners._knowledge import DATA
 from robolayout.scene import FLAT_HEIGHT
-from robolayout.words import Reading, RoomType, RoomTypes
+from robolayout.words import AREAS, Reading, RoomType, RoomTypes
 
 LACKING, LIKELY, TELLING = 0.6, 0.9, 6.0
 """What a room loses by each thing that it always has and that is not named, and what makes it likely, in things that belong there."""
@@ -24,7 +24,8 @@ def room_meant(reading: Reading, rooms: RoomTypes) -> tuple[RoomType, list[str]]
         guess = [f"{reading.room_words!r} is no room type that is known: {reading.room} was taken."]
         room = reduce(RoomType.sharing, (rooms.rooms[name] for name in (reading.room, *reading.joined)))
         return room, guess if reading.guessed else []
-    kinds = {thing.noun.kind for thing in reading.parsed.things}
+    areas = (chunk.value for chunk in reading.parsed.facts if chunk.kind == "corner")
+    kinds = {thing.noun.kind for thing in reading.parsed.things}.union(*(AREAS.get(area, ()) for area in areas))
     usual = {kind for room in rooms.rooms.values() if room.of != "bedroom" for kind in room.base}
     kinds |= {like for like, last in LIKE.items() if any(kind.endswith(last) for kind in kinds - usual - {"pet bed"})}
     if not kinds and not reading.parsed.facts:

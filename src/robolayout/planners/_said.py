@@ -7,6 +7,7 @@ from dataclasses import replace
 
 from robolayout.constraints import AssetRef, PointRef, Relation
 from robolayout.constraints.above import Above
+from robolayout.constraints.align_with import AlignWith
 from robolayout.constraints.between import BetweenTwo
 from robolayout.constraints.distance_constraint import DistanceConstraint
 from robolayout.constraints.in_rows import InRows
@@ -37,8 +38,9 @@ def said(demands: Iterable[Demand], *, placing: bool = False) -> list[Relation]:
 
 def subjects(demands: Iterable[Demand]) -> set[str]:
     """Return what is asked to be somewhere."""
-    placing = ((one.asset_names(), one.name in ("in_rows", "in_shape")) for one in said(demands, placing=True))
-    return {name for names, rows in placing for name in (names if rows else names[:1])}
+    several = {"in_rows": None, "in_shape": None, "symmetric_pair": 2}
+    placing = said(demands, placing=True)
+    return {name for one in placing for name in one.asset_names()[: several.get(one.name, 1)]}
 
 
 def formed(demands: Iterable[Demand]) -> set[str]:
@@ -164,11 +166,13 @@ def hung_over(scene: Scene, demands: Iterable[Demand]) -> dict[str, str]:
 def held_by_walls(demands: Sequence[Demand]) -> set[str]:
     """Return what is asked into corners, parts of the room or near doors and windows alone, which leaves its wall to it.
 
-    What something is to be behind stands free of the wall.
+    What something is to be behind stands free of the wall, and what is to stand askew.
     """
     asked = [(one.name, *one.asset_names()) for one in said(demands, placing=True)]
     free = {name for how, name, *others in asked if how not in ("corner", "zone", "near") or others}
-    return {name for _, name, *_ in asked} - free - {others[0] for how, _, *others in asked if how == "behind"}
+    free |= {others[0] for how, _, *others in asked if how == "behind"}
+    free |= {one.a.name for one in said(demands) if isinstance(one, AlignWith) and one.angle % 90.0}
+    return {name for _, name, *_ in asked} - free
 
 
 def needing_room(cast: Mapping[str, Cast], demands: Sequence[Demand]) -> set[str]:

@@ -32,6 +32,7 @@ from robolayout.words import (
     grammar,
     mentions,
     named,
+    place_in,
     read_rooms,
     read_text,
     sized,
@@ -52,6 +53,7 @@ ENDS = 2  # seats at the ends of a table, which stay free where all sit at its l
 APART_AT_TABLE = 0.03  # metres between seats that are wider
 FOR_TWO = 0.8  # metres of a table for two
 LEAST_HUNG, HUNG_APART = 0.4, 0.06  # metres that several things over one are wide at least, and between them
+BESIDE_A_DOOR = 1.5  # metres of a wall that are left of it where things of which no number is said stand along it
 IN_A_SHAPE = 6  # things in a circle, a half circle or a U of which no number is said
 
 LARGEST = 8.0  # how many times as large as usual a room is up to which the number of its zones and people grows
@@ -397,9 +399,12 @@ def _settle_number(thing: NamedThing, wishes: RoomWishes) -> None:
     brought = at_tables or room.person.get(name, 0) * people
     brought = 0 if wishes.placed(thing) else brought  # "chairs along the wall" are some of them
     about = [link for link in wishes.reading.parsed.links if thing in named(link.subjects)]
-    formed = [IN_A_SHAPE for link in about if link.relation in SHAPES]
+    round_it = [link for link in about if link.relation == "around" and not any(one.sat_on for one in link.subjects)]
+    formed = [IN_A_SHAPE for link in about if link.relation in SHAPES or link in round_it]
     formed += [2 * link.rows for link in about if link.relation == "groups"]  # "armchairs in groups of three"
-    usual = max(brought, room.base.get(name, 0), *formed)
+    walls = [to for link in about if (to := place_in(link.objects, "wall")) is not None and to.at_one_wall]
+    usual = max(brought, *(formed or [room.base.get(name, 0)]))
+    usual = min(usual, int((max(room.size) - BESIDE_A_DOOR) / wishes.kinds[name].size[1])) if walls else usual
     thing.number = usual if usual > thing.count and usual % max(thing.rows, 1) == 0 else None
 
 

@@ -1,5 +1,6 @@
 """Sentences and criteria as rows: what is asked, what it asks of a scene, and whether a layout meets it."""
 
+from robolayout.words._function_words import AREAS as AREAS
 from robolayout.words._function_words import AT_SIDES as AT_SIDES
 from robolayout.words._function_words import COUNTERS as COUNTERS
 from robolayout.words._function_words import KIN as KIN
@@ -23,6 +24,7 @@ from robolayout.words._said import sides as sides
 from robolayout.words._tokens import Measure as Measure
 from robolayout.words._ways import BETWEEN_BEDS as BETWEEN_BEDS
 from robolayout.words._ways import CROWD as CROWD
+from robolayout.words._ways import MIDDLE_AISLE as MIDDLE_AISLE
 from robolayout.words._ways import rows_of as rows_of
 from robolayout.words._ways import visits as visits
 from robolayout.words.demands import Demand as Demand

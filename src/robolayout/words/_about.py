@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 from dataclasses import replace
 from itertools import takewhile
@@ -13,7 +12,6 @@ from robolayout.words._appositions import LISTED
 from robolayout.words._chunk import Chunk, opening_before
 from robolayout.words._references import References
 from robolayout.words._said import Item, Link, Mention, Place, mentions, named, place_in, place_of
-from robolayout.words._tokens import Measure
 from robolayout.words._ways import CROWD
 
 
@@ -94,8 +92,10 @@ class About(References):
         if word.value in ("that", "which", "both") and not (which or that or both):
             return None
         self.at += 1
-        if word.value == "it" and self.opening is not None and {m.thing for m in self.recent} <= named(self.about):
-            return self.opening  # "The window is in the north wall. Under it is a desk."
+        own = named(self.about)
+        own |= {m.thing for k in self._here if k.relation == "with" and named(k.objects) & own for m in k.subjects}
+        if word.value == "it" and self.opening is not None and {m.thing for m in self.recent} <= own:
+            return self.opening  # "The window is in the north wall. Under it is a desk with a chair."
         opening = opening_before(self.chunks[: self.at - 2]) if word.value == "it" and chunk.value != "on" else None
         if opening is not None:
             return place_of(opening)
@@ -249,52 +249,6 @@ class About(References):
         at = [place for k in far if (place := place_in(k.objects[:1], "window", "door"))]
         return [replace(wall, words=(), by=("opposite", at[0])), *objects[1:]] if at else objects
 
-    def _free_space(self, chunk: Chunk, measure: Measure) -> bool:
-        """Note floor that is to stay free at a side of a thing: "1.5 m of free space on the left of the bed"."""
-        ahead = list(takewhile(lambda c: c.kind in ("filler", "function", "part", "style"), self.chunks[self.at :]))
-        led, after = self._ahead(len(ahead)), self._ahead(len(ahead) + 1)
-        # "1.5 m of free space beside the bed and 1.2 m in front of it"
-        also = self.said.last.relation == "cleared" and self.said.last.start >= self.began
-        told = {word for c in ahead for word in (c.value, *c.adjectives)} & {*small.FREE, "space"}
-        # "with 90 cm on each side of the bed"
-        free = also or told or (led.value == "flank" and self._ahead(-2).kind == "with")
-        its, following = led.det == "its", after.kind in ("thing", "pron")  # "1 m of clear space on its right"
-        # "80 cm free on both sides", "90 cm free on left side"
-        both = bool(self.group) and led.value in small.FREED and not (its or following)
-        every = (led.value, after.value, after.det) == ("on", "side", "all")
-        of = [c.kind for c in self.chunks[self.at + len(ahead) + 2 :][:2]] == ["filler", "thing"]
-        whole = every and of  # "on all sides of the table"
-        every = every and (whole or bool(self.group))
-        known = both or every or (led.value in (*small.FREED, "amid") and (its or following))
-        if measure.kind != "length" or not (free and known):
-            return False
-        self._understood(*ahead)
-        self.at += len(ahead) + 1 + every + whole
-        end = self._ahead(-1).end
-        self.about = []  # floor, no thing
-        before = both or (every and not whole)
-        whose = self.group[-1:] if before else self._meant("it", led.value) if its else self._objects(led)
-        about = mentions(whose)
-        sides = [Place("side", (side,)) for side in small.FREED.get("around" if every else led.value, ())]
-        how, on, to = ("cleared", about, sides) if sides else ("apart", about[:1], about[1:])  # "between the two"
-        self.said.links.append(Link(how, (*on,), (*to,), chunk.start, end, (measure.values[0], math.inf)))
-        return True
-
-    def _aisles(self, chunk: Chunk, measure: Measure) -> bool:
-        """Note how far rows are apart, or how wide ways are, by what is between: "aisles 1.5 m wide", "with 2 m aisles"."""
-        rows = [link for link in self._here if link.relation == "rows"]
-        follows = self._ahead().value in ("aisle", "aisles")
-        # "a 1.2 m aisle between them"
-        amid = follows and (self._ahead(1).value, self._ahead(2).kind) == ("amid", "pron")
-        here = self._ahead(0 if follows else -2)
-        if not (here.value == "aisles" or (rows and amid)):
-            return False
-        led = self.chunks[self.at : self.at + (3 if amid else follows)]
-        self._understood(*led)
-        self.at += len(led)
-        self._parted(rows[-1:], here, (min(chunk.start, here.start), max(chunk.end, here.end)), measure.values[0])
-        return True
-
     def _walls(self, subjects: list[Mention], place: Place) -> list[Mention]:
         """Return what stands at the wall by which another is told: "the same wall as the crib", "the opposite wall"."""
         if place.name != "wall" or place.plural or place.by is not None:
@@ -420,7 +374,10 @@ class About(References):
         of_it = previous.kind == "pron" and self.having and self.holder and not self.verb
         if of_it and [*self.said.last.objects] == self.holder:
             return list(self.holder)  # "a rug with a table on it in front of the sofa"
-        past = previous.kind == "comma" and self._ahead(-3).kind == "pron" and self._ahead().kind != "pron"
+        back = self._ahead(-3)  # "bunk beds with desks underneath, on opposite walls"
+        past = (
+            previous.kind == "comma" and (back.kind == "pron" or back.value == "under") and self._ahead().kind != "pron"
+        )
         if past and self.holder and [*self.said.last.objects] == self.holder:
             return list(self.holder)  # "a vanity with a mirror above it, opposite the door"
         if previous.kind == "pron" and not self.relative:

@@ -13,12 +13,14 @@ from robolayout.assets import category_of
 from robolayout.assets.beneath import places_beneath
 from robolayout.constraints import AssetRef, PointRef, Relation, WallRef
 from robolayout.constraints.around import Around
-from robolayout.scene import ROUNDING, Wall
+from robolayout.scene import Wall
 from robolayout.words import _function_words as small
 from robolayout.words import _ways as ways_of
-from robolayout.words._places import COMPASS, Asked, AtPlaces, openings_meant, opposed, walls_meant
+from robolayout.words._gaps import HowFar
+from robolayout.words._places import COMPASS, Asked, openings_meant, opposed, walls_meant
+from robolayout.words._rows import alike
 from robolayout.words._said import Link, Place, place_in
-from robolayout.words.demands import Demand, EdgeGap, FreeDisc, Way, by_ways, single, stated
+from robolayout.words.demands import Demand, FreeDisc, Way, by_ways, single, stated
 
 SIDE_RELATIONS = {"front": "in_front_of", "left": "left_of", "back": "behind", "right": "right_of"}
 """How something is to another thing that is at one of its sides."""
@@ -58,14 +60,13 @@ def in_corners(asked: Iterable[tuple[Link, Asked]]) -> dict[str, str]:
     return found
 
 
-class AtSides(AtPlaces):
+class AtSides(HowFar):
     """Says what it asks for to be at a side of a thing."""
 
     opposed: Sequence[tuple[str, str]]
     """Each two that are asked to face each other."""
 
     put: Set[str]
-    central: Set[str]
     lounging: Mapping[str, tuple[str, tuple[float, float]]]
     """Several sofas, with armchairs, that are around a low table: at which side of it, and how far from it, each is."""
 
@@ -113,6 +114,8 @@ class AtSides(AtPlaces):
 
     def _the_other_way_round(self, it: Asked, relation: str) -> tuple[Asked, str]:
         """Return what a relation asks, of several under one thing that hangs as of that over them: "beds under a picture"."""
+        if relation in ("by", "near") and it.others and all(self._is(b, ("fireplace",)) for b in it.others):
+            return it, "fireside"
         if relation != "under" or len(it.others) != 1 or len(it.subjects) < 2 or not self._only_wall(it.others[0]):
             return it, relation
         return replace(it, subjects=it.others, groups=[it.subjects]), "above"
@@ -140,7 +143,7 @@ class AtSides(AtPlaces):
 
     def _across_a_top(self, b: str, items: Sequence[str], sided: str) -> Iterator[Way]:
         """Yield how two who sit at a table or desk look at each other over it: who has a manicure, and who gives it."""
-        sat_at = sided and self._is(b, ("table", "desk")) and not self._is(b, tuple(small.LOW_TABLES))
+        sat_at = sided and self._is(b, ("table", "desk", "lab bench")) and not self._is(b, tuple(small.LOW_TABLES))
         if len(items) == 2 and sat_at and all(self._is(a, small.SEATS) for a in items):
             for order in (items, items[::-1]):
                 yield from self._in_shares(b, order, sided)
@@ -220,6 +223,18 @@ class AtSides(AtPlaces):
             for first, second in (map(AssetRef, two) for two in pairs)
             for one in (("symmetric_pair", first, second, b), ("near", first, b, ways_of.LOOKING))
         )
+
+    def _fireside(self, it: Asked) -> Iterator[Demand]:
+        """By a fire: two like seats before it, facing each other; others beside it or where one sees it."""
+        pair = len(it.subjects) == 2 and alike(self.scene, it.subjects) and self._is(it.subjects[0], small.SEATS)
+        if pair and len(it.others) == 1:
+            one, two, fire = (AssetRef(name) for name in (*it.subjects, *it.others))
+            yield single(stated("symmetric_pair", one, two, fire))
+            yield single(stated("near", one, fire, ways_of.AHEAD))
+            yield single(stated("facing_pair", one, two))
+            return
+        for a, b in it.twos:
+            yield by_ways(ways_of.BY_A_FIRE if self._is(a, small.SEATS) else ways_of.TO_ANOTHER["by"], a, b)
 
     def _lounging(self, around: Iterable[Asked]) -> dict[str, tuple[str, tuple[float, float]]]:
         """Return at which side of what they are around, and how far from it, sofas and their armchairs are: in a U, or all round."""
@@ -357,78 +372,6 @@ class AtSides(AtPlaces):
         seats = placed and all(self._is(name, small.SEATS) for name in (*subjects, *others))
         for b in others if seats else ():
             yield from by_ways(ways_of.OPPOSITE_SEATS[:1], subjects[0], b).ways
-
-    def _squarely(self, a: str, place: Place | None, angles: Sequence[float]) -> Iterator[Way]:
-        """Yield how a thing in the middle of the room faces a door or window: straight to its wall, not askew."""
-        openings = openings_meant(self.room, place) if place is not None and place.name in ("door", "window") else ()
-        for opening in openings if a in self.central else ():
-            yield from (
-                (stated("align_with", AssetRef(a), WallRef(opening.wall), (270.0 + one) % 360.0),) for one in angles
-            )
-
-    def _gap(self, a: str, to: tuple[AssetRef | PointRef | WallRef, ...], low: float, high: float) -> Demand:
-        """Return that so many metres lie between a thing and the nearest of some others; a bed may have another wall at its head."""
-        ways = tuple(way for end in to for way in self._ways_apart(a, end, low, high, to))
-        return Demand(ways, gap=EdgeGap(AssetRef(a), to, low, high, nearest=not self._is(a, small.SLEPT_ON)))
-
-    def _ways_apart(
-        self,
-        a: str,
-        b: AssetRef | PointRef | WallRef,
-        low: float,
-        high: float,
-        to: Sequence[AssetRef | PointRef | WallRef],
-    ) -> Iterator[Way]:
-        """Yield the ways in which so many metres lie between edges: at each side of a thing, with each side to a wall."""
-        ref = AssetRef(a)
-        if isinstance(b, WallRef) and high < math.inf:
-            yield from self._ways_off_a_wall(ref, b, low, high, [w for w in to if isinstance(w, WallRef) and w != b])
-            return
-        if low == 0 and not isinstance(b, WallRef):
-            yield (stated("near", ref, b, high),)
-            return
-        if isinstance(b, AssetRef):
-            beds = self._is(a, small.SLEPT_ON) and self._is(b.name, small.SLEPT_ON)  # they stand side by side
-            for side in ("left_of", "right_of") if beds else ("left_of", "right_of", "in_front_of", "behind"):
-                apart = stated(side, ref, b, low, min(high, ways_of.FAR_APART))
-                yield (apart, stated("align_with", ref, b)) if beds else (apart,)
-        if high == math.inf:
-            longest = sum(max(self._asset(one.name).size[:2]) for one in (ref, b) if isinstance(one, AssetRef))
-            yield (stated("distance_constraint", ref, b, round(longest / 2 + low, 3), None),)
-        elif isinstance(b, PointRef):
-            yield from self._ways_off_an_opening(ref, b, low, high)
-
-    def _ways_off_an_opening(self, ref: AssetRef, point: PointRef, low: float, high: float) -> Iterator[Way]:
-        """Yield the ways in which a thing is so many metres off the middle of a door or window, or off another point."""
-        openings = ((o.wall, self.room.walls[o.wall].point(o.center)) for o in (*self.room.doors, *self.room.windows))
-        walls = [WallRef(wall) for wall, at in openings if math.dist(at, (point.x, point.y)) < ROUNDING]
-        for angle, half, _ in self._turns(ref):
-            least, most = round(half + low, 3), round(half + high, 3)
-            ahead = ((stated("align_with", ref, w, angle), stated("distance_constraint", ref, w, least)) for w in walls)
-            yield (stated("distance_constraint", ref, point, least, most), *next(ahead, ()))
-        half = self._asset(ref.name).size[1] / 2
-        beside = stated("distance_constraint", ref, point, round(half + low, 3), round(half + high, 3))
-        yield from ((stated("against_wall", ref, wall), beside) for wall in walls[:1])
-
-    def _ways_off_a_wall(
-        self, ref: AssetRef, wall: WallRef, low: float, high: float, others: Sequence[WallRef]
-    ) -> Iterator[Way]:
-        """Yield the ways in which a thing stands so many metres off a wall, with one of its sides to it; no nearer to others."""
-        x, y = self.room.walls[wall.index].normal
-        for angle, half, other in self._turns(ref):
-            apart = stated("distance_constraint", ref, wall, round(half + low, 3), round(half + high, 3))
-            far = list[Relation]()
-            for one in others if not self._is(ref.name, small.SLEPT_ON) else ():
-                u, v = self.room.walls[one.index].normal
-                deep = half if abs(x * u + y * v) > math.sqrt(0.5) else other
-                far.append(stated("distance_constraint", ref, one, round(deep + low, 3)))
-            yield (stated("align_with", ref, wall, angle), apart, *far)
-
-    def _turns(self, ref: AssetRef) -> Iterator[tuple[float, float, float]]:
-        """Yield degrees by which a thing is turned from a wall, and half of how deep it then is before it, and along it, in metres."""
-        depth, width, _ = self._asset(ref.name).size
-        for angle in (90.0, 270.0, 0.0, 180.0):
-            yield (angle, depth / 2, width / 2) if angle in (90.0, 270.0) else (angle, width / 2, depth / 2)
 
     def _within(self, a: str, end: AssetRef | PointRef) -> float:
         """Return how far from an end a thing between two stands: what is narrower than itself flanks it."""

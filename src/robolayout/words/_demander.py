@@ -2,20 +2,19 @@
 
 from __future__ import annotations
 
-import math
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
-from itertools import pairwise, product
+from itertools import pairwise
 
-from robolayout.constraints import AssetRef, PointRef, WallRef
+from robolayout.constraints import AssetRef, PointRef
 from robolayout.constraints.between import BetweenTwo
 from robolayout.constraints.in_shape import InShape
 from robolayout.scene import Scene
 from robolayout.words import _function_words as small
 from robolayout.words import _ways as ways_of
 from robolayout.words._at_sides import AtSides, in_corners, on_walls_beside, parted
-from robolayout.words._places import Asked, walls_meant
+from robolayout.words._places import Asked
 from robolayout.words._rows import ToldRows, alike, in_rows, neighbours, on_a_wall
 from robolayout.words._said import Link, Mention, NamedThing, Place, mentions, named, place_in, places
 from robolayout.words._shelves import shelved
@@ -39,6 +38,7 @@ class Demander(AtSides):
         self.askew = {name for link, it in asked if link.relation == "diagonal" for name in it.subjects}
         twos = [(link.relation, *two) for link, it in asked for two in it.twos]
         self.put = {a for _, a, _ in twos}  # what stands at another thing
+        self.below = {a: b for how, a, b in twos if how == "above" and self._is(a, small.WATCHED)}
         self.across = {frozenset((a, b)) for how, a, b in twos if how == "opposite"}
         sat_on = {a for a in self.put if self._is(a, small.SEATS)}
         seats = Counter(b for how, a, b in twos if how in ("with", "around") and a in sat_on)
@@ -67,7 +67,10 @@ class Demander(AtSides):
         mutual = [it.subjects for link, it in asked if link.relation == "mutual"]
         self.opposed = [two for names in mutual for two in zip(names[::2], names[1::2], strict=False)]
         self.central = {
-            name for link, it in asked if link.relation == "middle" and not it.others for name in it.subjects
+            name
+            for link, it in asked
+            if not it.others and (link.relation == "middle" or (it.place and it.place.name == "middle"))
+            for name in it.subjects
         }
         self.lounging = self._lounging(it for link, it in asked if link.relation == "around")
         self.told = ToldRows(scene, [(link, it.subjects, it.others) for link, it in asked])
@@ -143,6 +146,11 @@ class Demander(AtSides):
         each = [(it.subjects[0], group[0]) for group in it.groups if group]
         if len(it.subjects) == 1 and len(it.groups) > 1 and each:
             return each
+        groups = (
+            self.told.groups(it.others) if relation == "end" and it.others and it.others[0] in self.told.each else []
+        )
+        if len(groups) == len(it.subjects):
+            return [(a, group[-1]) for a, group in zip(it.subjects, groups, strict=True)]
         of_rows = relation in small.ENDS and len(it.others) < 2
         return (replace(it, subjects=self.told.before(it.subjects, it.others) or it.subjects) if of_rows else it).twos
 
@@ -192,26 +200,6 @@ class Demander(AtSides):
         if beside or asset.on_wall:
             return single(stated("near", AssetRef(a), AssetRef(b), ways_of.BESIDE if beside else ways_of.NEAR))
         return None
-
-    def _apart(self, it: Asked, metres: tuple[float, float]) -> Iterator[Demand]:
-        """So many metres between the edges of two things, or of a thing and a place; "at least" holds for each such place."""
-        by_themselves = not (it.groups or it.place)
-        if by_themselves and self.told.in_rows(it.subjects):
-            yield self.told.block(it.subjects)
-            return
-        if by_themselves and len(it.subjects) >= ways_of.CROWD and alike(self.scene, it.subjects):
-            lined = {*it.subjects} <= self.lined
-            yield in_rows(it.subjects, 1 if lined else None, gap=metres[0], aisle=0.0 if lined else metres[0])
-            return
-        twos = [two for group in it.groups for two in replace(it, groups=[group]).twos]
-        for a, b in pairwise(it.subjects) if by_themselves else twos:
-            yield self._gap(a, (AssetRef(b),), *metres)
-        for a, place in product(it.subjects, it.places):
-            walls = place.name == "wall" and walls_meant(self.room, place)
-            to = [WallRef(wall.index) for wall in walls] if walls else self._points(place)
-            every = metres[1] == math.inf or place.det == "all"
-            for ends in [(end,) for end in to] if every else [tuple(to)] * bool(to):
-                yield self._gap(a, ends, *metres)
 
     def _flank(self, it: Asked) -> Iterator[Demand]:
         """Left and right of a thing, in turn; at the ends of a row."""
@@ -303,6 +291,8 @@ class Demander(AtSides):
             sat_on = self._is(a, small.SEATS) and a not in self.askew
             demand = by_ways(ways_of.OPPOSITE_SEATS if sat_on else ways_of.OPPOSITE, a, b)
             yield self._or_abreast(a, last.get(b) if sat_on else None, demand)
+            if (low := self.below.get(a)) is not None and low != b:  # "a TV above the dresser, across from the bed"
+                yield by_ways(ways_of.OPPOSITE, low, b)
             last[b] = a
 
     def _facing(self, it: Asked) -> Iterator[Demand]:

@@ -405,6 +405,7 @@ class Parser(Relating):
         wall = self._opening_wall() or place_in(at, "wall") or Place("wall", sides(chunk))
         if wall.words or wall.by or self.holder or chunk.number or chunk.det == "a":
             place = replace(place_of(chunk), words=wall.words, by=wall.by)
+            self.opening = self.opening if self.group or self.subject else place
             self.said.openings.append((place, (chunk.start, self._ahead(-1).end)))
 
     def _on_surface(self, chunk: Chunk) -> None:
@@ -412,8 +413,7 @@ class Parser(Relating):
         free = next((c for c in (self._ahead(), self._ahead(1)) if c.value in small.FREE), None)
         coloured = bool(set(chunk.adjectives) - set(grammar().walls))
         if coloured:
-            named = f"{' '.join(chunk.adjectives)} {chunk.value}"
-            self.said.facts.append(Chunk("style", chunk.start, chunk.end, named))
+            self.said.facts.append(Chunk("style", chunk.start, chunk.end, " ".join((*chunk.adjectives, chunk.value))))
         if chunk.value == "floor":
             return
         if free is not None:

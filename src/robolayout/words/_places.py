@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import math
 import operator
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence, Set
 from dataclasses import dataclass, replace
 from itertools import combinations, product
 
-from robolayout.constraints import AssetRef, PointRef, WallRef
+from robolayout.constraints import AssetRef, PointRef, Relation, WallRef
 from robolayout.constraints.corner import convex_corners
 from robolayout.scene import Asset, Opening, Room, Scene, Wall
 from robolayout.words import _function_words as small
@@ -147,6 +147,9 @@ class AtPlaces:
     told: ToldRows
     """What is said of rows and shapes."""
 
+    central: Set[str]
+    """What is asked to be in the middle of the room."""
+
     def __init__(self, scene: Scene) -> None:
         self.scene, self.room = scene, scene.room
         self.cornered: Mapping[
@@ -246,9 +249,7 @@ class AtPlaces:
             yield from self._ways_at_a_wall(a, place, on=on)
         elif place.name == "corner":
             for vertex in corners_meant(self.room, place):
-                near = stated("near", ref, floor_point(self.room.vertices[vertex]), ways_of.FREE_IN_CORNER)
-                here = near if a in self.surrounded else stated("corner", ref, vertex)
-                yield (here, *self._across_from(vertex, self.cornered.get(a, "")))
+                yield (self._in_corner(a, vertex), *self._across_from(vertex, self.cornered.get(a, "")))
         elif place.name in ("window", "door"):
             gap = (ways_of.AT_WINDOW if place.name == "window" else ways_of.AT_DOOR) * wider
             gap = max(gap, ways_of.NEAR) if a in self.surrounded else round(gap, 2)  # seats are between it and there
@@ -261,6 +262,8 @@ class AtPlaces:
                 ends = (opening.offset, opening.offset + opening.width)
                 points = (floor_point(self.room.walls[opening.wall].point(end)) for end in ends)
                 yield from ((stated("near", ref, point, ways_of.CORNER_BY),) for point in points)
+                beside = corners_meant(self.room, Place("corner", by=("near", place)))  # however far that is
+                yield from ((self._in_corner(a, vertex),) for vertex in beside)
         elif place.name == "middle":
             x0, y0, x1, y1 = self.room.bounds
             most = max(ways_of.LEAST_MIDDLE, ways_of.MIDDLE_SHARE * min(x1 - x0, y1 - y0)) * wider
@@ -271,6 +274,12 @@ class AtPlaces:
                 yield from self._ways_at_the_front(ref, boards, [w for w in ("left", "right") if w in place.words])
                 return
             yield from ((stated("zone", ref, half),) for half in halves_meant(self.room, place))
+
+    def _in_corner(self, a: str, vertex: int) -> Relation:
+        """Return that a thing is in a corner, about there where nothing of it can touch a wall."""
+        point = floor_point(self.room.vertices[vertex])
+        near = stated("near", AssetRef(a), point, ways_of.FREE_IN_CORNER)
+        return near if a in self.surrounded else stated("corner", AssetRef(a), vertex)
 
     def _across_from(self, vertex: int, other: str) -> Way:
         """Return that another thing, if there is one, is in the corner that is farthest from this one."""
@@ -387,10 +396,25 @@ class AtPlaces:
 
     def _turnedfrom(self, it: Asked) -> Iterator[Demand]:
         """Looking away from a thing, a wall, a door or a window; a desk as one does who sits at it."""
+        block = len(it.others) > 2 and alike(self.scene, it.others)
+        others = it.others[len(it.others) // 2 :][:1] if block else it.others  # "a desk facing away from the racks"
         for a in it.subjects:
             angle = 180.0 - self._looks(a)[0]
-            for point in (*map(AssetRef, it.others), *self._points(it.place)):
-                yield single(stated("point_towards", AssetRef(a), point, angle))
+            square = tuple(self._squarely(a, it.place, [angle]))  # a sofa in the middle with its back to the door
+            for point in (*map(AssetRef, others), *self._points(it.place)):
+                ways = [*square, (stated("point_towards", AssetRef(a), point, angle),)]
+                if isinstance(point, AssetRef):  # somewhere behind who sits there
+                    behind = "in_front_of" if ways_of.looks_over(self._asset(a)) else "behind"
+                    ways.append((stated(behind, point, AssetRef(a), 0.0, ways_of.ACROSS),))
+                yield Demand(tuple(ways))
+
+    def _squarely(self, a: str, place: Place | None, angles: Sequence[float]) -> Iterator[Way]:
+        """Yield how a thing in the middle or a corner of the room faces a door or window: straight to its wall, not askew."""
+        openings = openings_meant(self.room, place) if place is not None and place.name in ("door", "window") else ()
+        for opening in openings if a in self.central or a in self.cornered else ():
+            yield from (
+                (stated("align_with", AssetRef(a), WallRef(opening.wall), (270.0 + one) % 360.0),) for one in angles
+            )
 
     def _diagonal(self, it: Asked) -> Iterator[Demand]:
         """Turned by an eighth or three eighths from a wall."""

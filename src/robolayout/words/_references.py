@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 from dataclasses import replace
-from itertools import combinations, dropwhile, pairwise
+from itertools import dropwhile, pairwise
 
 from robolayout.words import _function_words as small
 from robolayout.words._chunk import NOTHING, ROWS, Chunk
@@ -13,7 +12,6 @@ from robolayout.words._lexicon import grammar
 from robolayout.words._said import Item, Link, Mention, NamedThing, Place, mentions, named, place_in, places
 from robolayout.words._spoken import Spoken
 from robolayout.words._tokens import APART
-from robolayout.words._ways import CROWD
 
 
 class References(Spoken):
@@ -207,19 +205,21 @@ class References(Spoken):
             here = [k.subjects for k in self._here if k.relation != "with"][-1:]
             # "a washer and a dryer along a wall, an ironing board opposite"
             return faced or [m for each in here for m in each[:1] if m.thing not in named(self.about)]
-        if relation == "end":
-            return self._last_of(small.TOPS, named(self.about))  # "a table with ten chairs, a podium at the head"
-        if relation == "foot" and (beds := self._last_of(small.SLEPT_ON, named(self.about))):
-            return beds
+        reach = self._ahead(-1).adjectives[-1:] == ("reach",)  # "a lamp and a side table within reach"
+        heads = {"end": small.TOPS, "foot": small.SLEPT_ON, "near": small.REACHED_FROM if reach else ()}
+        if relation in heads and (found := self._last_of(heads[relation], named(self.about))):
+            return found  # "a table with ten chairs, a podium at the head"
         last = self.said.last
         if relation == "flank" and last.relation in ("left", "right") and last.start >= self.began and not self.holder:
             return mentions(last.objects)  # "a lectern to the right of the altar and candles on both sides"
         if relation == "above" and last.relation in ("abreast", "row") and last.start >= self.began:
             return [m for m in last.subjects if m.thing not in named(self.about)]  # "side by side, shelves above"
+        side, of = self.contrast
+        if side == relation and of:  # "to the left of the board is a shelf with boxes, to the right a cabinet"
+            return of
         if self.holder or relation not in ("left", "right"):  # "a side table within reach and a lamp behind"
             same = self.led if not named(self.led) & named(self.about) else []
             return self.holder or same or self._meant("it", relation)
-        side, of = self.contrast
         alone = named(self.recent) <= named(self.about)
         if not (side == relation and of) and alone and len(self.before) == 1 and not self.before[0].several:
             of = self.before  # "A sofa is in the middle. On the left stands a lamp."
@@ -294,39 +294,6 @@ class References(Spoken):
         self.about = [*subjects, *self.holder]
         return [*self._led_back("opposite")] if seats or self.group[-1].topped else []
 
-    def _far_apart(self, chunk: Chunk) -> bool:
-        """Note that each of several things is far from each other one: "a bed, a desk and a sofa, but not near each other"."""
-        who = list(self.group or self.subject or self.before)
-        one = who[0].thing if len(who) == 1 and who[0].several and who[0].pick is None else None
-        who = [Mention(one, slice(i, i + 1)) for i in range(one.count)] if one is not None else who
-        kept = chunk.value == "far" or (self.refusing and chunk.value in small.NEARNESS)
-        if not kept or self._ahead().value not in ("each other", "one another") or not 1 < len(who) <= CROWD:
-            return False
-        self.refusing, self.at = False, self.at + 1
-        pairs = combinations(who, 2)
-        self.said.links += [Link("far", (b,), (a,), chunk.start, self._ahead(-1).end) for a, b in pairs]
-        return True
-
-    def _parted(self, rows: Sequence[Link], aisle: Chunk, span: tuple[int, int], metres: float) -> None:
-        """Note how many metres rows are apart at least, by the aisle that is said to be between them; without rows all ways."""
-        self._understood(aisle)
-        self.said.facts[:] = [fact for fact in self.said.facts if fact is not aisle]
-        how, about = ("apart", rows[-1].subjects) if rows else ("way", ())
-        self.said.links.append(Link(how, about, (), *span, (metres, math.inf)))
-
-    def _at_both_sides(self, chunk: Chunk) -> bool:
-        """Note two opposite walls for what is at the sides of nothing else: "a galley kitchen with counters on both sides"."""
-        things = [mention.thing for mention in self.group]
-        alone = things == self.said.things and not (things[1:] or self.said.links)
-        ends = self._ahead().kind in ("", "stop", "comma")
-        if chunk.value != "flank" or not (things and alone and ends and things[0].category.on_floor):
-            return False
-        if {"each", "either"} & {*chunk.adjectives} and things[0] not in self.dealt:
-            things[0].number = 2 * (things[0].number or 1)
-        walls = Place("wall", ("opposite",), plural=True)
-        self.said.links.append(Link("wall", tuple(self.group), (walls,), chunk.start, chunk.end))
-        return True
-
     def _counted(self, chunk: Chunk, subjects: Sequence[Mention], objects: Sequence[Item]) -> Sequence[Mention]:
         """Settle how many things are asked for that stand at each of several, at walls or in rows; return them."""
         shared = chunk.value in small.SHARED_OUT and all(m.thing.number in (None, 1) for m in subjects)
@@ -374,6 +341,9 @@ class References(Spoken):
         if chunk.value == "rows" and not chunk.rows and all(m.several and m.thing.number is None for m in subjects):
             for mention in subjects:  # "a library with bookshelves in rows": however many rows these are
                 mention.thing.rows = mention.thing.rows or ROWS
+        worked_at = [m.count for m in subjects if chunk.value == "on" and m.thing.noun.said in small.WORKED_AT]
+        for thing in (m.thing for m in mentions(objects) if worked_at and m.thing.uncounted):
+            thing.number = worked_at[0]  # "twelve computers on tables"
         subjects = self._counted(chunk, subjects, objects)
         chunk = self._at_a_side(chunk, subjects, objects, led)
         objects = self._at_middle(chunk, subjects, led)

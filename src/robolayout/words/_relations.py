@@ -9,18 +9,15 @@ from dataclasses import replace
 from itertools import dropwhile, takewhile
 
 from robolayout.words import _function_words as small
-from robolayout.words._about import About
 from robolayout.words._chunk import NOTHING, Chunk
 from robolayout.words._lexicon import Noun
 from robolayout.words._said import Item, Link, Mention, Place, mentions, named, place_in, place_of
+from robolayout.words._spaces import Spaces
 from robolayout.words._tokens import Measure
-from robolayout.words._ways import MIDDLE_AISLE
-
-KEPT_OFF = 0.6
-"""Metres between a thing and what it must not be near."""
+from robolayout.words._ways import KEPT_OFF
 
 
-class Relating(About):
+class Relating(Spaces):
     """Reads relations; the parser reads the rest."""
 
     def _fact(self, chunk: Chunk) -> None:
@@ -189,22 +186,6 @@ class Relating(About):
         if not self._in_turn(chunk, objects):
             self._relate_to(chunk, subjects, objects, first, every=every)
 
-    def _along_an_aisle(self, chunk: Chunk) -> bool:
-        """Note what an aisle parts: two rows, or two columns of benches: "five pews on each side of an aisle" are ten."""
-        rows = [link for link in self._here if link.relation == "rows"]
-        if rows and chunk.value in ("amid", "middle") and self._ahead(-2).value == "aisle":
-            aisle, _ = self._ahead(-2), self._objects(chunk)  # "two rows with an aisle between them"
-            self._parted(rows, aisle, (aisle.start, self._ahead(-1).end), MIDDLE_AISLE)
-            return True
-        benches = [mention.thing for mention in self.group[-1:] if mention.thing.head in ("pew", "bench")]
-        ends = self._ahead().kind in ("", "stop") and [thing.head for thing in self.said.things] == ["pew"]
-        if chunk.value != "flank" or not benches or not (ends or self._ahead().value == "aisle"):
-            return self._at_both_sides(chunk)
-        benches[0].number = benches[0].count * 2 if {"each", "either"} & {*chunk.adjectives} else benches[0].number
-        on, width = tuple(self.group[-1:]), (MIDDLE_AISLE, math.inf)
-        self.said.links.append(Link("columns", on, (), chunk.start, chunk.end, width, rows=2))
-        return True
-
     def _one_for_each_pair(self, between: Sequence[Mention], pairs: int) -> None:
         """Note that there are as many things as pairs, if that is said: "each pair facing each other across a small table"."""
         told = any(chunk.value == "each pair" and chunk.start >= self.began for chunk in self.chunks[: self.at])
@@ -318,11 +299,6 @@ class Relating(About):
         elif self.negated and subjects and objects and chunk.value in ("facing", "opposite", "turnedfrom"):
             self._link(replace(chunk, value="faced" if chunk.value == "turnedfrom" else "averted"), subjects, objects)
         self.refusing = False
-
-    def _keep_empty(self, chunk: Chunk, objects: Sequence[Item]) -> None:
-        """Note that nothing is to stand at a place."""
-        gap = (0.0, 0.0) if place_in(objects[:1], "wall") else (KEPT_OFF, math.inf)
-        self.said.links.append(Link("bare", (), tuple(objects), chunk.start, chunk.end, gap))
 
     def _relate(self, chunk: Chunk, subjects: list[Mention], objects: Sequence[Item], first: int) -> None:
         """Note what a relation says."""

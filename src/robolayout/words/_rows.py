@@ -21,6 +21,7 @@ from robolayout.words._ways import (
     BETWEEN_BEDS,
     CROWD,
     IN_A_CHAIN,
+    MIDDLE_AISLE,
     MORE,
     NEAR,
     Ways,
@@ -65,13 +66,14 @@ class ToldRows:
     """What is said of straight rows and shapes: how wide they are, how they are turned to each other, and what stands between them."""
 
     def __init__(self, scene: Scene, links: Sequence[tuple[Link, Sequence[str], Sequence[str]]]) -> None:
-        self.scene = scene
+        self.scene, seats = scene, (*small.SEATS,)
         # beside these others stand, so that they are no unbroken row
         self.flanked = {
             name
             for link, about, to in links
             if link.relation in ("amid", "flank") or (link.relation in small.AT_SIDES and len(about) > 1)
             if not all(scene.by_name[one].is_flat for one in about)  # a rug lies before them as well
+            if link.relation == "amid" or not all(scene.by_name[one].category.endswith(seats) for one in about)
             for name in to
         }
         # over the backs of desks look those who sit at them
@@ -86,22 +88,20 @@ class ToldRows:
         # how far apart things or their rows are
         self.apart = {name: link.metres[0] for link, named, _ in spaced for name in named}
         # "1.2 m of free floor around the benches" is between them, too
-        around = [
-            link
-            for link in links
-            if link[0].relation == "cleared" and len(link[0].objects) == len(small.FREED["around"])
-        ]
+        all_sides = len(small.FREED["around"])
+        around = (link for link in links if link[0].relation == "cleared" and len(link[0].objects) == all_sides)
         free = {name: link.metres[0] for link, named, _ in around for name in named}
         # how many of each stand together, apart from the others
-        shared = ((named, len(named) / max(link.rows, 1)) for link, named, _ in links if link.relation == "shares")
         each = [(named, link.rows) for link, named, _ in links if link.relation == "groups"]
-        each += [(named, math.ceil(share)) for named, share in shared]
+        shared = ((link, named) for link, named, _ in links if link.relation == "shares")
+        each += [(named, math.ceil(len(named) / max(link.rows, 1))) for link, named in shared]
         self.each = {name: count for named, count in each for name in named}
         abreast = (named for link, named, _ in links if link.relation == "abreast" and alike(scene, named))
         # of those that are side by side, the one that tells how the others are turned
         self.middle = {name: named[len(named) // 2] for named in abreast for name in named}
         self.gap = {name: max(link.metres[0], free.get(name, 0.0)) for link, named, _ in told for name in named}
         self.aisle = free | self.apart
+        self.central = {name: MIDDLE_AISLE for link, named, _ in told if link.sided == "aisle" for name in named}
         counted = [(named, lines(scene, link, named)) for link, named, _ in told]
         facing = {name for link, named, _ in links if link.relation == "facing" for name in named}
         # what stands in rows of which no number is said and looks somewhere: in about as many rows as are usual
@@ -167,7 +167,8 @@ class ToldRows:
         ways = [(k, turned) for k in (count, *others)]
         if self.scene.by_name[names[0]].category.endswith((*small.SLEPT_ON,)):
             gap, ways = gap or BETWEEN_BEDS, [(2, "facing")] * (ways == [(2, "alike")]) + ways  # heads at both walls
-        first, *also = (in_rows(names, k, how, amid=amid, gap=gap, aisle=aisle) for k, how in ways)
+        central = self.central.get(names[0], 0.0)
+        first, *also = (in_rows(names, k, how, amid=amid, gap=gap, aisle=aisle, central=central) for k, how in ways)
         return replace(first, also=tuple(way for block in also for way in block.ways))
 
     def opening(self, names: Sequence[str], to: Sequence[End]) -> Iterator[Demand]:
@@ -192,13 +193,14 @@ def in_rows(
     amid: bool = False,
     gap: float = 0.0,
     aisle: float = 0.0,
+    central: float = 0.0,
 ) -> Demand:
     """Return that things stand in a block of so many straight rows, any number for None; perhaps with something amid them."""
     items = tuple(AssetRef(name) for name in names)
     usual = {"facing": NEAR, "paired": BESIDE}.get(backs, 0.0)  # rows of which no more is said may stand back to back
     apart = aisle or (AISLE if amid and rows != 1 else usual)
     widest = round(ASIDE * aisle, 3) if aisle and backs == "facing" else None  # across that aisle, not across the room
-    return single(InRows(items, apart, gap, backs, rows, widest))
+    return single(InRows(items, apart, gap, backs, rows, widest, central))
 
 
 def on_a_wall(names: Sequence[str], room: Room) -> Iterator[Demand]:

@@ -116,6 +116,8 @@ class NamedThing:
         old, new = self.noun.said.split(), chunk.noun.said.split()
         if old == new:
             return True
+        if chunk.plural and not chunk.det and old[-1] != new[-1]:
+            return False  # "four racks in the middle, shelves along the walls"
         if old[-1] == new[-1] or old[-1].endswith(new[-1]):
             return len(new) == 1 or len(old) == 1 or self.noun.kind == chunk.noun.kind
         return self.noun.kind == chunk.noun.kind
@@ -167,7 +169,8 @@ class Mention:
         if about and all(one.thing.places == ("ceiling",) for one in about):
             return bears
         beside = relation in (*small.AT_SIDES, "behind")
-        return not ((beside and self.flat) or (relation == "behind" and self.opens and not bears))
+        under = relation == "under" and self.thing.head in small.SEATS
+        return not (under or (beside and self.flat) or (relation == "behind" and self.opens and not bears))
 
     @property
     def opens(self) -> bool:
@@ -237,7 +240,9 @@ class Place:
     def at_one_wall(self) -> bool:
         """Whether all of several things are at one wall, whichever it is: "one wall", "the long wall"."""
         one = len(self.apart) == 1 and self.det in ("a", "the", "one") and not self.plural
-        return self.name == "wall" and (self.number == 1 or (one and not {*self.words} <= {"middle"}))
+        return self.name == "wall" and (
+            self.number == 1 or (one and (self.by is not None or not {*self.words} <= {"middle"}))
+        )
 
 
 Item = Mention | Place

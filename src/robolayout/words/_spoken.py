@@ -64,7 +64,8 @@ class RoomPart:
         there = {thing.noun.kind for thing in named_here} | {m.thing.head for m in self.things}
         there |= small.SEATS if any(m.sat_on for m in self.things) else set[str]()
         there |= {word for noun, _ in said.refused for word in (noun.kind, noun.said.split()[-1])}
-        told = {thing for k in said.links for thing in named(k.subjects)}
+        # elsewhere than what is told, where the part of the room has its own place
+        told = {thing for k in said.links for thing in named(k.subjects) if self.place}
         made = list[Mention]()
         for number, (kind, count) in enumerate(kinds.items()):
             alike = [t for t in named_here if t.noun.kind == kind and t not in told] if number == 0 else []

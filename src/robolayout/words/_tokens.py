@@ -151,6 +151,7 @@ ROOMS = {
 
 
 _marks = {"-": ",", "\u2013": ",", "\u2014": ",", "&": "and", "+": "and", "w/o": "without", "apiece": "each"}
+_marks |= {"opp": "opposite", "rm": "room", "tbl": "table", "btw": "between", "bdrm": "bedroom", "lg": "large"}
 _written = {"per": ("for", "each")} | {mark: (word,) for mark, word in _marks.items()} | {
     f"{ten}{mark}{one}": (str(NUMBERS[ten] + NUMBERS[one]),)
     for ten in ("twenty", *_TENS[:-1]) for one in _WORDS.split("|") for mark in "- "

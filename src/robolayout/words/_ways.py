@@ -106,6 +106,13 @@ BEFORE_WATCHED: Ways = (
 )
 """Where seats stand that are in front of what is looked at: before it, or beside one that is, turned alike."""
 
+BY_A_FIRE: Ways = (
+    *((("in_front_of", 0.0, AHEAD), ("point_towards", angle)) for angle in SEEN),
+    *((("near", AHEAD), ("point_towards", angle)) for angle in SEEN),
+    (("next_to", "beside", AT_TABLE),),
+)
+"""Where seats stand that are by a fire: where one sees it, or beside it."""
+
 BEFORE_A_MIRROR: Ways = ((("point_towards",), ("in_front_of", *INTO)),)
 """Where a seat stands from which one looks into a mirror."""
 
@@ -135,6 +142,9 @@ TO_ANOTHER: Mapping[str, Ways] = {
 
 AT_PLACES = frozenset((*TO_ANOTHER, "oneside", "on", "in", "flank", "under", "above", "behind", "hanging"))
 """Relations that lead to a place of the room as well as to things."""
+
+KEPT_OFF = 0.6
+"""Metres between a thing and what it must not be near."""
 
 MORE = 0.3
 """Metres that may lie between two things beyond what is said."""

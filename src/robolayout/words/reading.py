@@ -126,7 +126,7 @@ class Reading:
         by_door = {m.thing for link in self.parsed.links if place_in(link.objects, "door") for m in link.subjects}
         cornered = {m.thing for link in self.parsed.links if place_in(link.objects, "corner") for m in link.subjects}
         return bool(by_door & cornered) or any(
-            (item.name == "corner" and (item.det == "each" or item.plural))
+            (item.name == "corner" and (item.det == "each" or item.plural or (item.by and item.by[1].name == "door")))
             or (item.name == "door" and link.relation in ("flank", "left", "right"))
             for link in self.parsed.links
             for item in places(link.objects)

@@ -17,7 +17,7 @@ from robolayout.assets.beneath import places_beneath
 from robolayout.assets.surfaces import slots
 from robolayout.constraints import AssetRef
 from robolayout.constraints.around import Around, Slot, left_gap
-from robolayout.scene import Scene
+from robolayout.scene import FLAT_HEIGHT, Scene
 from robolayout.solve.build.joining import AIM, BELOW
 from robolayout.solve.build.member import MARGIN, Member, Size, box_of, overlaps
 from robolayout.solve.build.tops import Top
@@ -150,13 +150,21 @@ class ClusterBuilder:
         width = sum(item.asset.size[1] + 0.12 for item in items) - 0.12
         y, found = width / 2, list[Member]()
         for item in items:
-            ax, ay = _half(item)
             yaw, gap = item.joined.yaw or 0.0, item.joined.gap
+            across = abs(math.sin(yaw)) > math.sqrt(0.5)
+            ax, ay = _half(item)[:: -1 if across else 1]
+            y -= self._amid(item, yaw) if across else 0.0
             if _seats(item) and not taken:
                 gap = self._left_gap(anchor, item, partial(_farther, (sign * (edge + ax), y - ay), (sign, 0.0), yaw))
             found.append(Member(item.name, sign * (edge + gap + ax), y - ay, yaw, side=side))
             y -= 2 * ay + 0.12
         return self._aside_of(anchor, placed, found)
+
+    def _amid(self, item: Want, yaw: float) -> float:
+        """Return how far aside the middle of what stands at a thing that is turned so is from its own: of two that face each other."""
+        members = (m.moved(0.0, 0.0, yaw) for m in self._members(item.name) if m.bottom == 0.0)
+        boxes = [box_of(m, size) for m in members if (size := self.wants[m.name].asset.size)[2] >= FLAT_HEIGHT]
+        return (min(box[1] for box in boxes) + max(box[3] for box in boxes)) / 2
 
     def _aside_of(self, anchor: Want, placed: Sequence[Member], found: list[Member]) -> list[Member]:
         """Return seats before a thing as far aside as what stands under it leaves room for them, or where they are."""

@@ -63,7 +63,8 @@ def grid_batches(site: Site, clusters: Sequence[Cluster]) -> Iterator[tuple[Grid
             if closer < 1.0 and gap0 > max(TIGHTEST, between[1]):
                 continue
             gap = round(between[1] + gap0 * (closer if gap0 > 0.3 else 1.0), 2)
-            plan = GridPlan(names, count, columns, round(aisle, 2), gap, rows.backs, closer < 1.0)
+            central = max(rows.central, site.corridor) if rows.central else 0.0
+            plan = GridPlan(names, count, columns, round(aisle, 2), gap, rows.backs, closer < 1.0, central)
             cluster = _cluster(clusters, plan, size)
             poses = _poses(site, cluster, _yaws(site, cluster))
             if len(poses):
@@ -157,7 +158,8 @@ def cell_poses(plan: GridPlan, size: tuple[float, float, float]) -> list[tuple[f
             x += ahead * (size[0] + (BACKS if close else plan.aisle))
         for column in range(plan.columns):
             if len(found) < len(plan.names):
-                found.append((x, -column * (size[1] + plan.gap), math.pi if turned else 0.0))
+                beyond = max(0.0, plan.central - plan.gap) * (2 * column >= plan.columns)
+                found.append((x, -column * (size[1] + plan.gap) - beyond, math.pi if turned else 0.0))
     return found
 
 

@@ -59,6 +59,7 @@ class GridPlan:
     # whether every second row is turned: back to back with the one before ("paired") or "facing" it
     backs: str = "alike"
     tight: bool = False  # whether neighbours stand closer than they should
+    central: float = 0.0  # metres between the left and the right half of each row
     cells: tuple[tuple[float, float, float], ...] = ()  # where they stand as seen from the first, if in no rows
 
 

@@ -1,0 +1,107 @@
+"""What so many metres between things, or between a thing and a wall or an opening, ask for."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence, Set
+from dataclasses import replace
+from itertools import pairwise, product
+
+from robolayout.constraints import AssetRef, PointRef, Relation, WallRef
+from robolayout.scene import ROUNDING
+from robolayout.words import _function_words as small
+from robolayout.words import _ways as ways_of
+from robolayout.words._places import Asked, AtPlaces, walls_meant
+from robolayout.words._rows import alike, in_rows
+from robolayout.words.demands import Demand, EdgeGap, Way, stated
+
+
+class HowFar(AtPlaces):
+    """Says how far apart things are to stand."""
+
+    lined: Set[str]
+    """What stands in one line."""
+
+    def _apart(self, it: Asked, metres: tuple[float, float]) -> Iterator[Demand]:
+        """So many metres between the edges of two things, or of a thing and a place; "at least" holds for each such place."""
+        by_themselves = not (it.groups or it.place)
+        if by_themselves and self.told.in_rows(it.subjects):
+            yield self.told.block(it.subjects)
+            return
+        if by_themselves and len(it.subjects) >= ways_of.CROWD and alike(self.scene, it.subjects):
+            lined = {*it.subjects} <= self.lined
+            yield in_rows(it.subjects, 1 if lined else None, gap=metres[0], aisle=0.0 if lined else metres[0])
+            return
+        twos = [two for group in it.groups for two in replace(it, groups=[group]).twos]
+        for a, b in pairwise(it.subjects) if by_themselves else twos:
+            yield self._gap(a, (AssetRef(b),), *metres)
+        for a, place in product(it.subjects, it.places):
+            walls = place.name == "wall" and walls_meant(self.room, place)
+            to = [WallRef(wall.index) for wall in walls] if walls else self._points(place)
+            every = metres[1] == math.inf or place.det == "all"
+            for ends in [(end,) for end in to] if every else [tuple(to)] * bool(to):
+                yield self._gap(a, ends, *metres)
+
+    def _gap(self, a: str, to: tuple[AssetRef | PointRef | WallRef, ...], low: float, high: float) -> Demand:
+        """Return that so many metres lie between a thing and the nearest of some others; a bed may have another wall at its head."""
+        ways = tuple(way for end in to for way in self._ways_apart(a, end, low, high, to))
+        return Demand(ways, gap=EdgeGap(AssetRef(a), to, low, high, nearest=not self._is(a, small.SLEPT_ON)))
+
+    def _ways_apart(
+        self,
+        a: str,
+        b: AssetRef | PointRef | WallRef,
+        low: float,
+        high: float,
+        to: Sequence[AssetRef | PointRef | WallRef],
+    ) -> Iterator[Way]:
+        """Yield the ways in which so many metres lie between edges: at each side of a thing, with each side to a wall."""
+        ref = AssetRef(a)
+        if isinstance(b, WallRef) and high < math.inf:
+            yield from self._ways_off_a_wall(ref, b, low, high, [w for w in to if isinstance(w, WallRef) and w != b])
+            return
+        if low == 0 and not isinstance(b, WallRef):
+            yield (stated("near", ref, b, high),)
+            return
+        if isinstance(b, AssetRef):
+            beds = self._is(a, small.SLEPT_ON) and self._is(b.name, small.SLEPT_ON)  # they stand side by side
+            for side in ("left_of", "right_of") if beds else ("left_of", "right_of", "in_front_of", "behind"):
+                apart = stated(side, ref, b, low, min(high, ways_of.FAR_APART))
+                yield (apart, stated("align_with", ref, b)) if beds else (apart,)
+        if high == math.inf:
+            longest = sum(max(self._asset(one.name).size[:2]) for one in (ref, b) if isinstance(one, AssetRef))
+            yield (stated("distance_constraint", ref, b, round(longest / 2 + low, 3), None),)
+        elif isinstance(b, PointRef):
+            yield from self._ways_off_an_opening(ref, b, low, high)
+
+    def _ways_off_an_opening(self, ref: AssetRef, point: PointRef, low: float, high: float) -> Iterator[Way]:
+        """Yield the ways in which a thing is so many metres off the middle of a door or window, or off another point."""
+        openings = ((o.wall, self.room.walls[o.wall].point(o.center)) for o in (*self.room.doors, *self.room.windows))
+        walls = [WallRef(wall) for wall, at in openings if math.dist(at, (point.x, point.y)) < ROUNDING]
+        for angle, half, _ in self._turns(ref):
+            least, most = round(half + low, 3), round(half + high, 3)
+            ahead = ((stated("align_with", ref, w, angle), stated("distance_constraint", ref, w, least)) for w in walls)
+            yield (stated("distance_constraint", ref, point, least, most), *next(ahead, ()))
+        half = self._asset(ref.name).size[1] / 2
+        beside = stated("distance_constraint", ref, point, round(half + low, 3), round(half + high, 3))
+        yield from ((stated("against_wall", ref, wall), beside) for wall in walls[:1])
+
+    def _ways_off_a_wall(
+        self, ref: AssetRef, wall: WallRef, low: float, high: float, others: Sequence[WallRef]
+    ) -> Iterator[Way]:
+        """Yield the ways in which a thing stands so many metres off a wall, with one of its sides to it; no nearer to others."""
+        x, y = self.room.walls[wall.index].normal
+        for angle, half, other in self._turns(ref):
+            apart = stated("distance_constraint", ref, wall, round(half + low, 3), round(half + high, 3))
+            far = list[Relation]()
+            for one in others if not self._is(ref.name, small.SLEPT_ON) else ():
+                u, v = self.room.walls[one.index].normal
+                deep = half if abs(x * u + y * v) > math.sqrt(0.5) else other
+                far.append(stated("distance_constraint", ref, one, round(deep + low, 3)))
+            yield (stated("align_with", ref, wall, angle), apart, *far)
+
+    def _turns(self, ref: AssetRef) -> Iterator[tuple[float, float, float]]:
+        """Yield degrees by which a thing is turned from a wall, and half of how deep it then is before it, and along it, in metres."""
+        depth, width, _ = self._asset(ref.name).size
+        for angle in (90.0, 270.0, 0.0, 180.0):
+            yield (angle, depth / 2, width / 2) if angle in (90.0, 270.0) else (angle, width / 2, depth / 2)

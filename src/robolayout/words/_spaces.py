@@ -1,0 +1,124 @@
+"""What is said of the floor between things: aisles, gaps and free floor."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import replace
+from itertools import combinations, takewhile
+
+from robolayout.words import _function_words as small
+from robolayout.words._about import About
+from robolayout.words._chunk import Chunk, Measure
+from robolayout.words._said import Item, Link, Mention, Place, mentions, place_in
+from robolayout.words._ways import CROWD, KEPT_OFF, MIDDLE_AISLE
+
+
+class Spaces(About):
+    """Reads what is free or parts things."""
+
+    def _free_space(self, chunk: Chunk, measure: Measure) -> bool:
+        """Note floor that is to stay free at a side of a thing: "1.5 m of free space on the left of the bed"."""
+        ahead = list(takewhile(lambda c: c.kind in ("filler", "function", "part", "style"), self.chunks[self.at :]))
+        led, after = self._ahead(len(ahead)), self._ahead(len(ahead) + 1)
+        # "1.5 m of free space beside the bed and 1.2 m in front of it"
+        also = self.said.last.relation == "cleared" and self.said.last.start >= self.began
+        told = {word for c in ahead for word in (c.value, *c.adjectives)} & {*small.FREE, "space"}
+        # "with 90 cm on each side of the bed"
+        free = also or told or (led.value == "flank" and self._ahead(-2).kind == "with")
+        its, following = led.det == "its", after.kind in ("thing", "pron")  # "1 m of clear space on its right"
+        # "80 cm free on both sides", "90 cm free on left side"
+        both = bool(self.group) and led.value in small.FREED and not (its or following)
+        every = (led.value, after.value, after.det) == ("on", "side", "all")
+        of = [c.kind for c in self.chunks[self.at + len(ahead) + 2 :][:2]] == ["filler", "thing"]
+        whole = every and of  # "on all sides of the table"
+        every = every and (whole or bool(self.group))
+        known = both or every or (led.value in (*small.FREED, "amid") and (its or following))
+        if measure.kind != "length" or not (free and known):
+            return False
+        self._understood(*ahead)
+        self.at += len(ahead) + 1 + every + whole
+        end = self._ahead(-1).end
+        self.about = []  # floor, no thing
+        before = both or (every and not whole)
+        whose = self.group[-1:] if before else self._meant("it", led.value) if its else self._objects(led)
+        about = mentions(whose)
+        sides = [Place("side", (side,)) for side in small.FREED.get("around" if every else led.value, ())]
+        how, on, to = ("cleared", about, sides) if sides else ("apart", about[:1], about[1:])  # "between the two"
+        self.said.links.append(Link(how, (*on,), (*to,), chunk.start, end, (measure.values[0], math.inf)))
+        return True
+
+    def _aisles(self, chunk: Chunk, measure: Measure) -> bool:
+        """Note how far rows are apart, or how wide ways are, by what is between: "aisles 1.5 m wide", "with 2 m aisles"."""
+        rows = [link for link in self._here if link.relation == "rows"]
+        follows = self._ahead().value in ("aisle", "aisles")
+        # "a 1.2 m aisle between them"
+        amid = follows and (self._ahead(1).value, self._ahead(2).kind) == ("amid", "pron")
+        here = self._ahead(0 if follows else -2)
+        if not (here.value == "aisles" or (rows and amid)):
+            return False
+        led = self.chunks[self.at : self.at + (3 if amid else follows)]
+        self._understood(*led)
+        self.at += len(led)
+        self._parted(rows[-1:], here, (min(chunk.start, here.start), max(chunk.end, here.end)), measure.values[0])
+        return True
+
+    def _along_an_aisle(self, chunk: Chunk) -> bool:
+        """Note what an aisle parts: two rows, or two columns of benches: "five pews on each side of an aisle" are ten."""
+        rows = [link for link in self._here if link.relation == "rows"]
+        middle = chunk.value == "middle" or (chunk.value, self._ahead().value) == ("in", "middle")
+        if rows and (middle or chunk.value == "amid") and self._ahead(-2).value == "aisle":
+            first, _ = self.at - 2, self._objects(chunk)
+            if middle and (rows[-1].rows != 2 or all(m.sat_on for m in rows[-1].subjects)):
+                self._understood(*self.chunks[first : self.at])  # "six rows of chairs with an aisle in the middle"
+                self.said.links[self.said.links.index(rows[-1])] = replace(rows[-1], sided="aisle")
+            else:  # "two rows with an aisle between them"
+                aisle = self.chunks[first]
+                self._parted(rows, aisle, (aisle.start, self._ahead(-1).end), MIDDLE_AISLE)
+            return True
+        benches = [mention.thing for mention in self.group[-1:] if mention.thing.head in ("pew", "bench")]
+        ends = self._ahead().kind in ("", "stop") and [thing.head for thing in self.said.things] == ["pew"]
+        if chunk.value != "flank" or not benches or not (ends or self._ahead().value == "aisle"):
+            return self._at_both_sides(chunk)
+        benches[0].number = benches[0].count * 2 if {"each", "either"} & {*chunk.adjectives} else benches[0].number
+        on, width = tuple(self.group[-1:]), (MIDDLE_AISLE, math.inf)
+        self.said.links.append(Link("columns", on, (), chunk.start, chunk.end, width, rows=2))
+        return True
+
+    def _parted(self, rows: Sequence[Link], aisle: Chunk, span: tuple[int, int], metres: float) -> None:
+        """Note how many metres rows are apart at least, by the aisle that is said to be between them; without rows all ways."""
+        self._understood(aisle)
+        self.said.facts[:] = [fact for fact in self.said.facts if fact is not aisle]
+        how, about = ("apart", rows[-1].subjects) if rows else ("way", ())
+        self.said.links.append(Link(how, about, (), *span, (metres, math.inf)))
+
+    def _at_both_sides(self, chunk: Chunk) -> bool:
+        """Note two opposite walls for what is at the sides of nothing else: "a galley kitchen with counters on both sides"."""
+        things = [mention.thing for mention in self.group]
+        alone = things == self.said.things and not (things[1:] or self.said.links)
+        ends = self._ahead().kind in ("", "stop", "comma")
+        if chunk.value != "flank" or not (things and alone and ends and things[0].category.on_floor):
+            return False
+        if {"each", "either"} & {*chunk.adjectives} and things[0] not in self.dealt:
+            things[0].number = 2 * (things[0].number or 1)
+        walls = Place("wall", ("opposite",), plural=True)
+        self.said.links.append(Link("wall", tuple(self.group), (walls,), chunk.start, chunk.end))
+        return True
+
+    def _far_apart(self, chunk: Chunk) -> bool:
+        """Note that each of several things is far from each other one: "a bed, a desk and a sofa, but not near each other"."""
+        who = list(self.group or self.subject or self.before)
+        one = who[0].thing if len(who) == 1 and who[0].several and who[0].pick is None else None
+        who = [Mention(one, slice(i, i + 1)) for i in range(one.count)] if one is not None else who
+        kept = chunk.value == "far" or (self.refusing and chunk.value in small.NEARNESS)
+        if not kept or self._ahead().value not in ("each other", "one another") or not 1 < len(who) <= CROWD:
+            return False
+        self.refusing, self.at = False, self.at + 1
+        pairs = combinations(who, 2)
+        self.said.links += [Link("far", (b,), (a,), chunk.start, self._ahead(-1).end) for a, b in pairs]
+        return True
+
+    def _keep_empty(self, chunk: Chunk, objects: Sequence[Item]) -> None:
+        """Note that nothing is to stand at a place."""
+        gap = (0.0, 0.0) if place_in(objects[:1], "wall") else (KEPT_OFF, math.inf)
+        self.said.links.append(Link("bare", (), tuple(objects), chunk.start, chunk.end, gap))

@@ -1,0 +1,141 @@
+"""Rooms as people describe them: by the fire, with an aisle through the rows, each employee with a desk."""
+
+from __future__ import annotations
+
+from collections import Counter
+
+import pytest
+
+from robolayout.planners.sentence import scene_from_sentence
+from robolayout.words import read_words
+from robolayout.words._judged import Unjudged
+
+
+def rows(text: str) -> list[Unjudged]:
+    scene, _ = scene_from_sentence(text)
+    return [row for row in read_words(scene).rows if row.kind in ("relation", "way", "not understood")]
+
+
+def kinds(text: str) -> Counter[str]:
+    return Counter(one.category for one in scene_from_sentence(text)[0].assets)
+
+
+@pytest.mark.parametrize(
+    ("text", "meant"),
+    [
+        ("a living room with two armchairs by the fireplace", "symmetric_pair(armchair-0, armchair-1, fireplace-0); near"),
+        ("a den with an armchair by the fire and a sofa", "in_front_of(armchair-0, fire-0, max_gap=1.5), point_towards"),
+        ("a bedroom where each window has a curtain and a bed", "near(curtain-0, ("),
+        ("a library with reading tables along the window side", "near(dining_table-0, ("),
+        ("a craft room with a cutting table one can walk around, a stool", "keep_clear(wrapping_table-0"),
+        ("a games room with a pool table with space to play all around", "keep_clear(pool_table-0"),
+        ("a warehouse with a packing station near the loading dock", "near(packing_table-0, ("),
+        ("a balcony with a bench against the railing", "against_wall(bench-0)"),
+        ("a balcony with a bench and planters on both ends", "next_to(planter-0, bench-0, left"),
+        ("a lounge with a sofa, a lamp behind it and a side table within reach", "near(side_table-0, sofa-0"),
+        ("a server room with two rows of racks and a desk facing away from the racks", "point_towards(desk-0, server_rack-3)"),
+        ("a dorm room with two loft beds with desks underneath, on opposite walls", "against_wall(loft_bed-0, walls["),
+        ("a living room with a sofa in the middle of the room with its back to the door", "align_with(sofa-0, walls["),
+        ("a living room with a sofa opposite the TV at a distance of 3 meters", "sofa-0 3 to 3.3 m from television-0"),
+        ("a den with an armchair facing the fireplace at about 2 m", "armchair-0 2 to 2.3 m from fireplace-0"),
+        ("a ward. The window is opposite the door, and a table with two chairs stands under it", "near(dining_table-0, ("),
+        ("a garage with a pegboard. To the left of it is a shelf with boxes, to the right a tool cabinet", "left_of(tool_chest-0"),
+        ("a bathroom with a toilet and a shower in the corner behind the door", "corner(shower-0, "),
+        ("a bedroom with a bed and an armchair in the corner next to the window", "near(armchair-0, "),
+        ("a lab with two long benches, stools along both sides of each bench", "in_front_of(stool-0, lab_bench-0"),
+        ("a kitchen where the robot can bring dishes from the table to the dishwasher", "a way for the body"),
+        ("two desks facing each other in the middle of the office with a plant at one end", "next_to(plant-0, desk-0"),
+        ("a playroom with a reading nook in the corner by the window", "corner(armchair-0, "),
+    ],
+)  # fmt: skip
+def test_a_phrase_asks_for_what_it_says(text: str, meant: str) -> None:
+    assert any(row.understanding.startswith(meant) for row in rows(text)), [row.understanding for row in rows(text)]
+    assert not any(row.kind == "not understood" for row in rows(text))
+
+
+@pytest.mark.parametrize(
+    ("text", "things"),
+    [
+        ("a lab with 12 computers on tables along three walls", {"computer": 12, "desk": 12, "dining table": 0}),
+        ("an office with four clusters of four desks, each cluster with a plant at its end", {"desk": 16, "plant": 4}),
+        ("a waiting room with six chairs in the middle and more chairs along the walls", {"chair": 10}),
+        ("an office for three employees. Each employee has a desk and a chair", {"desk": 3, "office chair": 3, "employee": 0}),
+        ("a lobby with four groups of two armchairs around small tables", {"armchair": 8, "coffee table": 4}),
+        ("a hall with six rows of chairs facing a stage. Each row has eight chairs.", {"chair": 48}),
+        ("a kitchen with a dining area. A table with four chairs is in the middle of the room.", {"dining table": 1}),
+        ("a laundromat with a folding table down the center", {"packing table": 1, "dining table": 0}),
+        ("a studio with the kitchen counter and the bed that I can reach in my wheelchair", {"wheelchair": 0}),
+        ("a library with low shelves in a semicircle around a rug", {"bookshelf": 6}),
+        ("a library with bookshelves on the wall opposite the window", {"bookshelf": 6}),
+    ],
+)  # fmt: skip
+def test_as_many_of_each_are_there_as_are_meant(text: str, things: dict[str, int]) -> None:
+    found = kinds(text)
+    assert {kind: found[kind] for kind in things} == things
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "a church with eight rows of chairs with an aisle down the middle, facing a lectern",
+        "a classroom with 24 desks in four rows with a central aisle facing the board",
+    ],
+)
+def test_an_aisle_in_the_middle_goes_through_all_rows(text: str) -> None:
+    found = [one for row in rows(text) for demand in row.demands for one in demand.ways[0] if one.name == "in_rows"]
+    assert {one.central for one in found} == {1.2}
+    assert not any(row.kind == "not understood" for row in rows(text))
+
+
+def test_two_rows_of_racks_have_the_aisle_between_them() -> None:
+    found = rows("a warehouse with two rows of racks and an aisle in the middle")
+    assert any("aisle=1.2" in row.understanding and "central" not in row.understanding for row in found)
+
+
+def test_a_room_is_as_long_as_what_stands_along_a_side_of_it_and_deep_enough_for_what_is_in_its_middle() -> None:
+    laundry, _ = scene_from_sentence("a laundromat with nine washing machines along the left wall")
+    office, _ = scene_from_sentence(
+        "a small office with the desk in the middle, a sideboard behind it and two guest chairs in front"
+    )
+    assert laundry.room.bounds[3] > 5.4
+    assert min(office.room.bounds[2:]) > 3.5
+
+
+@pytest.mark.parametrize(
+    ("text", "meant"),
+    [
+        ("need a bedroom w/ a queen bed, closet opp bed", "in_front_of(wardrobe-0, bed-0"),
+        ("living rm: sofa, tv across from it, rug under coffee tbl", "under(rug-0, [coffee_table-0])"),
+        ("kitchen: galley layout, fridge by door", "against_wall(kitchen_counter-0, walls[0]), against_wall(kitchen_counter-1"),
+        ("Classroom 6x8m. 12 desks in 3 rows, teacher desk front right corner", "corner(teacher_desk-0, 3)"),
+        ("a classroom with 12 desks, whiteboard front wall", "mounted_on(whiteboard-0, walls[2])"),
+        ("workshop: table saw in center with 1m clearance all around", "keep_clear(table_saw-0, depth=1)"),
+        ("Dentist: chair in middle, light above chair", "above(pendant_lamp-0, chair-0)"),
+        ("lab with 3 benches, stools both sides", "in_front_of(stool-0, lab_bench-0"),
+        ("bedroom with a bed and a dresser, transfer space left of the bed", "keep_clear(bed-0, left"),
+        ("bedroom with a bed and a wardrobe with space in front", "keep_clear(wardrobe-0"),
+        ("a den in which no furniture blocks the fireplace", "keep_clear(fireplace-0"),
+        ("a study with bookshelves and a ladder leaning on them", "near(ladder-0, bookshelf-0"),
+        ("a bedroom with a wardrobe that hides behind the door", "near(wardrobe-0, ("),
+        ("an armchair that is turned toward the window but can also see the TV", "point_towards(armchair-0, television-0) or one"),
+        ("a bedroom with a bed, TV above dresser across from bed", "in_front_of(television-0, bed-0"),
+        ("an office where the desk has its back to the bookshelf", "point_towards(desk-0, bookshelf-0) or one of 1 other"),
+    ],
+)  # fmt: skip
+def test_notes_in_few_words_ask_for_what_they_say(text: str, meant: str) -> None:
+    assert any(row.understanding.startswith(meant) for row in rows(text)), [row.understanding for row in rows(text)]
+    assert not any(row.kind == "not understood" for row in rows(text))
+
+
+def test_racks_and_shelves_of_one_sentence_are_both_there() -> None:
+    store = kinds("Retail store: 4 racks in center, shelves along walls")
+    assert store["shelving unit"] == 4 and store["shop shelf"] > 1
+
+
+def test_a_thing_used_as_another_is_one_thing() -> None:
+    nursery = [row for row in rows("a nursery with a crib, a dresser used as a changing table across from it")]
+    assert [row.things for row in nursery] == [("crib-0", "dresser-0")]
+
+
+def test_a_reading_nook_is_in_no_bookshop() -> None:
+    assert "checkout counter" not in kinds("Reading nook: chair, lamp, side table, bookshelf behind chair")
