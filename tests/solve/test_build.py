@@ -378,3 +378,16 @@ def test_what_words_place_is_placed_before_what_they_do_not() -> None:
         "and the stove opposite the sink"
     )
     assert all(one.relation.check(scene, layout).met for one in program.statements)
+
+
+def test_what_is_asked_into_the_middle_of_a_top_is_put_there() -> None:
+    """Only kinds that usually stand there were: a vase, no candle."""
+    table = Asset("dining_table-0", "dining table", (0.9, 1.4, 0.75))
+    chairs = tuple(Asset(f"chair-{i}", "chair", (0.5, 0.45, 0.9)) for i in range(4))
+    candle = Asset("candle-0", "candle", (0.08, 0.08, 0.2), on_floor=False, on_object=True)
+    scene = Scene(ROOM, (table, *chairs, candle))
+    around = "solver.around([chair[0], chair[1], chair[2], chair[3]], dining_table[0])"
+    text = f"{around}\nsolver.on_top_of(candle[0], dining_table[0])\nsolver.centered_on(candle[0], dining_table[0])"
+    program = reconcile(read_program(text, scene), scene).program
+    built = compile_problem(scene, program).guess
+    assert math.dist(built["candle-0"].at, built["dining_table-0"].at) < 0.1

@@ -139,3 +139,35 @@ def test_a_thing_used_as_another_is_one_thing() -> None:
 
 def test_a_reading_nook_is_in_no_bookshop() -> None:
     assert "checkout counter" not in kinds("Reading nook: chair, lamp, side table, bookshelf behind chair")
+
+
+@pytest.mark.parametrize(
+    ("text", "meant"),
+    [
+        ("a kitchen where the fridge is close to the door and the stove as far as possible from it", "distance_constraint(stove-0, ("),
+        ("a dining room with a rug that extends under all chairs", "under(rug-0, ["),
+        ("a bedroom in which each side of the bed has a nightstand with a lamp", "on_top_of(table_lamp-0, night_stand-0); on_top"),
+        ("a waiting room with seats along the walls so that the middle is empty", "zone(seat-0"),
+        ("a workshop with workbenches around the edge", "against_wall(workbench-0"),
+        ("a bathroom with two sinks, one mirror above both", "above(mirror-0, washbasin-0), above(mirror-0, washbasin-1)"),
+        ("a bedroom with a gap of 0.8 m between the bed and the wall on the window side", "bed-0 0.8 to 1.1 m from walls"),
+        ("a store room with a shelf with books on the top shelf and boxes on the bottom", "inside(storage_box-0, shelving_unit-0, shelf 1"),
+        ("a server room with racks in two rows, cold aisle 1.2 m wide between them", "in_rows([server_rack-0, server_rack-1"),
+        ("a bedroom with two wardrobes facing each other", "facing_pair(wardrobe-1, wardrobe-0); against_wall(wardrobe-0)"),
+        ("a music room with the piano in the corner so that the pianist faces the room", "point_towards(piano-0, ("),
+    ],
+)  # fmt: skip
+def test_clauses_about_a_room_are_read(text: str, meant: str) -> None:
+    assert any(row.understanding.startswith(meant) for row in rows(text)), [row.understanding for row in rows(text)]
+    assert not any(row.kind == "not understood" for row in rows(text))
+
+
+def test_what_everything_but_one_thing_is_asked_of_leaves_that_thing_there() -> None:
+    """The shower was refused."""
+    assert kinds("A small bathroom with everything along one wall except the shower")["shower"] == 1
+
+
+def test_a_room_that_is_designed_for_something_is_no_thing() -> None:
+    lounge = kinds("A living room designed for conversation: four armchairs around a low round table, no TV")
+    assert (lounge["coffee table"], lounge["chair"], lounge["armchair"]) == (1, 0, 4)
+    assert len(lounge) < 12

@@ -397,7 +397,8 @@ def _settle_number(thing: NamedThing, wishes: RoomWishes) -> None:
         return
     at_tables = math.ceil(people / (thing.people or room.at_table)) if name == room.tables else 0
     brought = at_tables or room.person.get(name, 0) * people
-    brought = 0 if wishes.placed(thing) else brought  # "chairs along the wall" are some of them
+    some = wishes.placed(thing) and len(room.person) > 1  # "chairs along the wall" of a classroom are some of them
+    brought = 0 if some else brought
     about = [link for link in wishes.reading.parsed.links if thing in named(link.subjects)]
     round_it = [link for link in about if link.relation == "around" and not any(one.sat_on for one in link.subjects)]
     formed = [IN_A_SHAPE for link in about if link.relation in SHAPES or link in round_it]

@@ -96,6 +96,9 @@ class About(References):
         own |= {m.thing for k in self._here if k.relation == "with" and named(k.objects) & own for m in k.subjects}
         if word.value == "it" and self.opening is not None and {m.thing for m in self.recent} <= own:
             return self.opening  # "The window is in the north wall. Under it is a desk with a chair."
+        far = (word.value, chunk.value, self.said.last.relation) == ("it", "far", "near")
+        if far and (place := place_in(self.said.last.objects, "door", "window")):
+            return place  # "the fridge close to the door and the stove far from it"
         opening = opening_before(self.chunks[: self.at - 2]) if word.value == "it" and chunk.value != "on" else None
         if opening is not None:
             return place_of(opening)
@@ -106,7 +109,8 @@ class About(References):
         if word.value in small.SEVERAL:
             meant = [Mention(mention.thing, mention.pick) for mention in meant]
         self.pending = meant[1:]
-        shared = word.value.startswith("both") and chunk.value in ("front", "facing", "opposite", "amid")
+        one = any((m.thing.number, m.det) == (1, "") for m in self.about)  # "one mirror above both"
+        shared = word.value.startswith("both") and (one or chunk.value in ("front", "facing", "opposite", "amid"))
         if word.value.startswith(("each", "every", "both")) and meant and not shared:
             return Mention(meant[0].thing, None, "each")
         return meant[0] if meant else None

@@ -7,6 +7,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from itertools import pairwise
 
+from robolayout.assets import category_of
 from robolayout.constraints import AssetRef, PointRef
 from robolayout.constraints.between import BetweenTwo
 from robolayout.constraints.in_shape import InShape
@@ -171,6 +172,10 @@ class Demander(AtSides):
             knees = (stated("distance_constraint", AssetRef(b), AssetRef(a), round(ways_of.KNEES + deep + amid, 3)),)
             knees *= relation == "mutual" and self._is(a, small.SEATS)
             yield Demand(tuple((*way, *knees) for way in demand.ways))
+            if (
+                relation == "mutual" and category_of(self._asset(a)).open_depth > 0
+            ):  # wardrobes have their backs to walls
+                yield from (single(stated("against_wall", AssetRef(name))) for name in (a, b))
 
     def _on_each(self, a: str, b: str) -> Demand:
         """A thing rests on another: a rug lies below what stands on it."""

@@ -51,6 +51,8 @@ def _settle_table(thing: NamedThing, heads: Set[str], *, alone: bool) -> None:
     if noun.said == "small table" and (alone or thing.promising):
         _take(thing, "round table" if alone else "dining table")
         thing.adjectives = (*thing.adjectives, "small")
+    if "low" in thing.adjectives and noun.kind in ("round table", "dining table") and heads & small.LOUNGE:
+        _take(thing, "coffee table")  # "four armchairs around a low round table"
     seated = heads & small.LOUNGE and not (heads & {"chair", "stool", "desk"} or thing.promising)
     if seated and noun.kind == "round table" and {"small", "little"} & {*thing.adjectives}:
         _take(thing, "side table")  # "two armchairs and a small round table"

@@ -13,6 +13,9 @@ STEP = 0.04
 CLOSEST = 0.005
 """Metres of a top for each thing in a line that stay free at the least."""
 
+AMID = 0.1
+"""Metres between things in the middle of a top, if they are so narrow."""
+
 HAND = 0.32
 """Metres from the middle of a desk to where a right hand lies beside the keyboard, for who sits before its front."""
 
@@ -123,6 +126,8 @@ class Top:
         """Return where the i-th of `count` things belongs on a top, within (+-room) of its middle."""
         rx, ry = room
         y = 0.0 if count == 1 else ry * (2 * (i + 0.5) / count - 1)
+        if at == "middle":
+            return (0.0, AMID * (i - (count - 1) / 2))
         if at == "back":
             return (-rx if self.faced else max(-rx, rx - self.reach), y)
         if at == "front":

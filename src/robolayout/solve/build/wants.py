@@ -391,7 +391,8 @@ class _Gathered:
             if isinstance(other, AssetRef) and other != carrier and self.scene.by_name[other.name].on_floor:
                 return Joining("setting", at=self._place(), seat=other.name)
         halves = sorted(one.side for one, _ in self._all(Toward))
-        return Joining("on", yaw=self._turned(carrier), at=" ".join(halves))
+        middle = any(one.b == carrier for one, wish in self._all(CenteredOn) if wish is None)
+        return Joining("on", yaw=self._turned(carrier), at="middle" if middle else " ".join(halves))
 
     def _place(self) -> str:
         """Return the place of a setting: by the plate that it is said to be beside, else that of a plate."""
