@@ -171,3 +171,33 @@ def test_a_room_that_is_designed_for_something_is_no_thing() -> None:
     lounge = kinds("A living room designed for conversation: four armchairs around a low round table, no TV")
     assert (lounge["coffee table"], lounge["chair"], lounge["armchair"]) == (1, 0, 4)
     assert len(lounge) < 12
+
+
+@pytest.mark.parametrize(
+    ("text", "meant"),
+    [
+        ("a lab with a 3 x 3 m free area in the middle and two desks", "zone(desk-0"),
+        ("a bar: counter with three stools, shelf with bottles behind it", "behind(shelving_unit-0, bar_counter-0"),
+        ("a mudroom with a bench, a tray under the bench and hooks above it", "above(wall_hooks-0, bench-0)"),
+        ("a kitchen with two counters facing each other with 1.2 m in between", "kitchen_counter-0 1.2 to 1.5 m from kitchen_counter-1"),
+        ("a ward with a bed with 1.5 m turning space on its left side", "keep_clear(hospital_bed-0, left, depth=1.5"),
+        ("a nursery with two cribs and a glider between the cribs and the window", "rocking_chair-0 between crib-0 and ("),
+        ("a data center with four rows of six racks with 1.2 m aisles and a desk near the entrance", "near(desk-0, ("),
+        ("a clinic with an examination couch behind a curtain", "behind(examination_couch-0, privacy_screen-0"),
+        ("a kitchen with a stove on the island", "next_to(stove-0, kitchen_island-0"),
+        ("a sofa and two armchairs form a U around the coffee table", "near(sofa-0, coffee_table-0"),
+    ],
+)  # fmt: skip
+def test_who_and_what_is_meant_in_longer_sentences(text: str, meant: str) -> None:
+    assert any(row.understanding.startswith(meant) for row in rows(text)), [row.understanding for row in rows(text)]
+    assert not any(row.kind == "not understood" for row in rows(text))
+
+
+def test_free_floor_is_no_size_of_the_room() -> None:
+    scene, _ = scene_from_sentence("A robot lab: a 3 x 3 m free area in the middle, two desks along the back wall")
+    assert min(scene.room.bounds[2:]) > 4
+
+
+def test_a_stove_of_an_island_is_no_box_on_it_and_has_no_hood_at_a_wall() -> None:
+    found = kinds("A kitchen with a stove on the island")
+    assert (found["stove"], found["range hood"]) == (1, 0)

@@ -172,24 +172,22 @@ class Demander(AtSides):
             knees = (stated("distance_constraint", AssetRef(b), AssetRef(a), round(ways_of.KNEES + deep + amid, 3)),)
             knees *= relation == "mutual" and self._is(a, small.SEATS)
             yield Demand(tuple((*way, *knees) for way in demand.ways))
-            if (
-                relation == "mutual" and category_of(self._asset(a)).open_depth > 0
-            ):  # wardrobes have their backs to walls
+            opens = category_of(self._asset(a)).open_depth > 0 and not self._is(a, small.TOPS)
+            if relation == "mutual" and opens:  # wardrobes have their backs to walls
                 yield from (single(stated("against_wall", AssetRef(name))) for name in (a, b))
 
     def _on_each(self, a: str, b: str) -> Demand:
-        """A thing rests on another: a rug lies below what stands on it."""
+        """A thing rests on another: a rug lies below what stands on it; what stands on the floor is flush with a counter that it is in."""
         if self._asset(b).is_flat:
             return single(stated("under", AssetRef(b), (AssetRef(a),)))
+        if self._asset(a).on_floor and not self._asset(a).on_object and self._is(b, ("counter", "island")):
+            return by_ways(ways_of.FLUSH, a, b)  # "a sink in an island", "the stove on one counter"
         hung = self._asset(a).on_wall and not self._asset(a).on_object
         if (shelf := self.shelved.get((a, b))) is not None:
             return single(stated("inside", AssetRef(a), AssetRef(b), shelf))
         return single(stated("above" if hung else "on_top_of", AssetRef(a), AssetRef(b)))
 
-    def _in_each(self, a: str, b: str) -> Demand:
-        """A thing rests on another; what stands on the floor stands flush beside a counter that it is in: a sink in an island."""
-        built = self._asset(a).on_floor and not self._asset(a).on_object and self._is(b, ("counter", "island"))
-        return by_ways(ways_of.FLUSH, a, b) if built else self._on_each(a, b)
+    _in_each = _on_each
 
     def _with_each(self, a: str, b: str) -> Demand | None:
         """What a thing has: on it, if it can stand nowhere else, else at it."""
@@ -415,6 +413,8 @@ class Demander(AtSides):
             yield from (Demand(ways) for a in it.subjects if (ways := tuple(self._ways_amid(a, it.places))))
             return
         ends: list[AssetRef | PointRef] = [AssetRef(name) for name in it.others if name not in it.subjects]
+        # "between the cribs and the window"
+        ends = ends[: 1 if it.place and it.place.name in ("window", "door") and len(it.groups) == 1 else None]
         ends += self._points(it.place)[: 1 + it.place.plural] if it.place is not None else []
         wide = self.told.abreast.get(it.others[0], 0) if it.others and it.place is None else 0
         for a in it.subjects if len(ends) > 1 and not (wide and self._only_wall(it.subjects[0])) else ():

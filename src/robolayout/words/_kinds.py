@@ -31,7 +31,7 @@ def settle_kinds(parsed: Parsed) -> None:
             _take(thing, "digital piano")
         _settle_table(thing, heads, alone=alone)
     stored = not small.STORES.isdisjoint(chunk.value for chunk in parsed.facts if chunk.kind == "room")
-    _settle_worked_at(parsed)
+    _settle_behind_and_below(parsed)
     for link in sorted(parsed.links, key=lambda link: link.relation == "with"):  # which says least of where a lamp is
         _settle_by_others(link)
         _settle_by_place(link)
@@ -94,13 +94,16 @@ def _settle_visitors(parsed: Parsed) -> None:
                 thing.noun = replace(thing.noun, words="visitor chair", said="visitor chair", others=())
 
 
-def _settle_worked_at(parsed: Parsed) -> None:
-    """Take tables on which several computers are for desks, one for each where no number is said: "12 computers on tables"."""
+def _settle_behind_and_below(parsed: Parsed) -> None:
+    """Take tables on which several computers are for desks, and a curtain behind which furniture is for a screen."""
     for link in parsed.links:
         worked_at = [m.count for m in link.subjects if link.relation == "on" and m.thing.noun.said in small.WORKED_AT]
         for thing in named(link.objects) if worked_at and worked_at[0] > 1 else ():
             if thing.noun.said == "table":
                 _take(thing, "desk")
+        behind = link.relation == "behind" and all(m.thing.category.on_floor for m in link.subjects)
+        for thing in (one for one in named(link.objects) if behind and one.noun.kind == "curtain"):
+            _take(thing, "privacy screen")
 
 
 def _settle_drawn(parsed: Parsed) -> None:

@@ -241,9 +241,11 @@ class References(Spoken):
         kinds = [kind for one in subjects for kind in one.thing.noun.categories]
         hanging = any(kind.on_wall or kind.on_ceiling for kind in kinds)
         hanging = hanging or any(c.value in small.HANGING for c in self.chunks if c.end == chunk.start)
-        if chunk.value == "above" and held and named(self.holder) & named(objects) and not hanging:
+        laid = chunk.value == "behind" and all(m.topped for m in subjects)  # "a shelf with bottles behind it"
+        if (chunk.value == "above" or laid) and held and named(self.holder) & named(objects) and not hanging:
             own = named((*self.holder, *subjects))  # "a desk by the door, a shelf with books above it"
-            objects = list[Item](m for m in self.recent if m.thing not in own and m.thing.category.on_floor)[-1:]
+            floor = [m for m in self.recent if m.thing not in own and m.thing.category.on_floor]
+            objects = list[Item](m for m in floor if not (laid and m.sat_on))[-1:]  # behind the counter, not its stools
             return (self.holder if objects else []), objects
         middle = chunk.value == "middle" and not objects
         if middle and held and self.holder[0].topped:
@@ -315,7 +317,8 @@ class References(Spoken):
         walls = next((self._number_of(to) for to in lined if to.det == "all"), walls)
         apart = [m for m in mentions(objects) if m.count > 2] if chunk.value == "amid" else []
         for thing in (mention.thing for mention in subjects):
-            if walls and thing.plural and thing.number is None:
+            ell = any(k.relation == "ell" and thing in named(k.subjects) for k in self.said.links)
+            if walls and thing.plural and thing.number is None and not ell:
                 at_each = 2 if several or chunk.value == "wall" or thing.head in small.SEATS else 1
                 thing.number = walls * at_each  # "bookshelves line two walls"
             elif apart and thing.parts_uncounted:

@@ -53,7 +53,7 @@ def _put(said: Sequence[str], words: Sequence[Token], spans: Sequence[slice], *,
         if word.startswith("{"):
             group = words[spans[int(word[1])]]
             figured = figures and group[0].text not in ("the", "a")
-            length = " ".join([one.text for one in group] + ["from"] * word.endswith("FROM"))
+            length = " ".join((*(one.text for one in group), word[3:].lower()))
             if figured and (told := measures(length)):  # one token with its measure
                 first, beyond = group[0], group[-1].end
                 group = [replace(first, end=beyond, measure=replace(told[0], start=first.start, end=beyond))]

@@ -170,6 +170,7 @@ class Mention:
             return bears
         beside = relation in (*small.AT_SIDES, "behind")
         under = relation == "under" and self.thing.head in small.SEATS
+        under = under or (relation == "above" and self.topped)  # "a tray under the bench and hooks above it"
         return not (under or (beside and self.flat) or (relation == "behind" and self.opens and not bears))
 
     @property

@@ -61,6 +61,7 @@ class Spaces(About):
         self._understood(*led)
         self.at += len(led)
         self._parted(rows[-1:], here, (min(chunk.start, here.start), max(chunk.end, here.end)), measure.values[0])
+        self.having, self.holder = False, []  # "racks with 1.2 m aisles and a desk near the entrance"
         return True
 
     def _along_an_aisle(self, chunk: Chunk) -> bool:
