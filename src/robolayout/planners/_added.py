@@ -73,11 +73,8 @@ class Added:
         sofas = sum(count for name, count in self.wished.items() if wishes.head(name) == "sofa")
         self.spared |= {"armchair"} if sofas > 1 else set()  # who is here sits there
         high = self._roles_of(thing for link in said if link.relation == "above" for thing in named(link.objects))
-        island = (
-            k
-            for k in said
-            if k.relation in ("on", "in", "with") and any(m.thing.head == "island" for m in mentions(k.objects))
-        )
+        of_things = (k for k in said if k.relation in ("on", "in", "with"))
+        island = (k for k in of_things if any(m.thing.head == "island" for m in mentions(k.objects)))
         high |= self._roles_of(thing for link in island for thing in named(link.subjects))  # no wall is behind these
         single = wishes.playing(name for name, count in self.room.base.items() if count == 1)
         # a hood, where a microwave is above the stove

@@ -58,9 +58,6 @@ class Gaps:
 GAPS = Gaps()
 
 LEFT = ("left_of({a}, {b}, {gap}, {most})", "align_with({a}, {b})")
-BEFORE_A_FIRE = Join(
-    "front", (), gap=0.6, loose=True, say=("in_front_of({a}, {b}, 0.3, 0.9)", "align_with({a}, {b}, 90)")
-)
 BEHIND = ("behind({a}, {b}, {gap}, {most})", "align_with({a}, {b})")
 PARTING = ("left_of({a}, {b}, {gap}, {most})", "align_with({a}, {b}, 90)")
 """What is said of a thing at the left of another, behind it, and at its left to part it from the next one."""
@@ -68,6 +65,10 @@ PARTING = ("left_of({a}, {b}, {gap}, {most})", "align_with({a}, {b}, 90)")
 PILED = replace(ON_ANY, say=(*ON_ANY.say, "centered_on({a}, {b})", "align_with({a}, {b})"))  # straight on each other
 BELOW = Join("under", ())  # how a thing stands below another
 AROUND = Join("around", (), gap=GAPS.seated, all=("around({items}, {b}, gap={gap})",))  # how seats stand around a thing
+FIRESIDE = ("in_front_of({a}, {b}, 0.3, 0.9)", "align_with({a}, {b}, 90)")
+BEFORE_A_FIRE = Join(
+    "front", (), gap=0.6, loose=True, say=FIRESIDE
+)  # how one of two that face each other stands before a fire
 IN_THE_LIGHT = -3.0  # weight of the wish of what something hangs above to stand at a window
 
 
@@ -278,7 +279,8 @@ def _chains(
         others = [*said(demand for demand in demands if demand.names() != frozenset(names))]
         if any(one.name == "in_rows" and {*names[1:]} & {*one.asset_names()} for one in others):
             continue  # "a printer between the two groups of desks"
-        if any(sum(one.name == "against_wall" for one in way) > 1 for way in _ways_of_both(demands, names[1:])):
+        together = (demand.ways[0] for demand in demands if {*names[1:]} <= demand.names())
+        if any(sum(one.name == "against_wall" for one in way) > 1 for way in together):
             continue  # "beds on opposite walls and a dresser between them"
         placing = (one for one in others if one.name not in ("align_with", "point_towards", "next_to", "near"))
         if not any({*names[1:]} <= {*one.asset_names()} for one in placing):
@@ -305,11 +307,6 @@ def _chains(
             say = f"in_front_of({{a}}, {{b}}, {half - GAPS.seated:.2f}, {half + GAPS.seated:.2f})"
             there = Join("front", (), gap=half, loose=True, faces="anchor", say=(say, *usual_say("front")[1:]))
             yield top.name, (b, there)
-
-
-def _ways_of_both(demands: Iterable[Demand], ends: Sequence[str]) -> Iterator[Sequence[Relation]]:
-    """Yield the first ways of what is asked of two things together."""
-    return (demand.ways[0] for demand in demands if {*ends} <= demand.names())
 
 
 def _before_both(cast: Mapping[str, Cast], a: str, b: str) -> Cast | None:

@@ -154,12 +154,9 @@ def _blocks(wishes: RoomWishes) -> Iterator[tuple[float, float]]:
 def _amid_others(wishes: RoomWishes, link: Link) -> Iterator[tuple[float, float]]:
     """Yield how wide and deep what is in the middle of the room is with what is before and behind it."""
     for thing in named(link.subjects) if place_in(link.objects, "middle") else ():
-        about = (
-            k for k in wishes.reading.parsed.links if k.relation in ("front", "behind") and thing in named(k.objects)
-        )
-        depths = {
-            k.relation: max(wishes.kinds[wishes.kind(m.thing)].size[0] for m in k.subjects) for k in about if k.subjects
-        }
+        links = (k for k in wishes.reading.parsed.links if k.relation in ("front", "behind") and k.subjects)
+        about = {k.relation: k.subjects for k in links if thing in named(k.objects)}
+        depths = {how: max(wishes.kinds[wishes.kind(m.thing)].size[0] for m in who) for how, who in about.items()}
         depth, width, _ = wishes.kinds[wishes.kind(thing)].size
         if depths:
             yield width + 2 * SIZES.around, depth + sum(depths.values()) + (len(depths) + 2) * SIZES.around

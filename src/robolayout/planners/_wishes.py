@@ -39,9 +39,7 @@ from robolayout.words import (
 )
 
 CARRIED = 0.5  # square metres of floor up to which a thing is put on another, where it is asked to stand there
-BUILT_IN = (
-    0.6  # metres of height from which on what is "on" a counter is as one with it: a stove, a sink with its cabinet
-)
+BUILT_IN = 0.6  # metres of height from which on what is "on" a counter is as one with it: a stove
 FOOTLESS = (
     0.09  # metres up to which a thing stands out from a wall where it hangs there instead of standing on its foot
 )

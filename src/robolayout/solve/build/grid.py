@@ -125,7 +125,9 @@ def in_one_row(site: Site, clusters: Sequence[Cluster]) -> Cluster | None:
     extent, size = _extent(site, clusters[0]), site.size(clusters[0].anchor)
     gap = round(extent[3] - extent[1] - size[1] + rows.gap, 2)
     return _cluster(
-        clusters, GridPlan(tuple(one.anchor for one in clusters), 1, len(clusters), 0.0, gap, rows.backs, False), size
+        clusters,
+        GridPlan(tuple(one.anchor for one in clusters), 1, len(clusters), 0.0, gap, rows.backs, False, rows.central),
+        size,
     )
 
 
