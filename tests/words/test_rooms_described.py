@@ -201,3 +201,44 @@ def test_free_floor_is_no_size_of_the_room() -> None:
 def test_a_stove_of_an_island_is_no_box_on_it_and_has_no_hood_at_a_wall() -> None:
     found = kinds("A kitchen with a stove on the island")
     assert (found["stove"], found["range hood"]) == (1, 0)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "A living room with a sofa facing away from the dining area, which has a table for four",
+        "A living room: a sofa facing the dining area, a table for four by the window",
+        "A living room where the sofa backs onto the dining area, with a table for four behind it",
+        "A living room where the sofa turns its back to the dining table for four",
+    ],
+)
+def test_the_table_of_a_dining_area_is_that_which_is_named_and_is_for_those_it_is_said_to_be(text: str) -> None:
+    """There were two tables, and the sofa was as long as four people need."""
+    found = kinds(text)
+    assert (found["dining table"], found["chair"]) == (1, 4)
+    assert not any(row.kind in ("attribute", "not understood") for row in rows(text))
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "The sofa backs onto the dining table and faces the TV",
+        "The sofa has the dining table behind it and faces the TV",
+    ],
+)
+def test_what_has_something_behind_it_is_what_faces_something(text: str) -> None:
+    """The table was to face the television."""
+    understood = [row.understanding for row in rows(text)]
+    assert "behind(dining_table-0, sofa-0, max_gap=1.2)" in understood
+    assert "point_towards(sofa-0, television-0)" in understood
+
+
+@pytest.mark.parametrize(
+    ("text", "meant"),
+    [
+        ("A shop with a display case on the counter", "on_top_of(display_case-0, "),
+        ("A kitchen with a dishwasher in the counter", "next_to(dishwasher-0, kitchen_counter-0"),
+    ],
+)
+def test_only_what_is_built_into_counters_is_beside_the_one_it_is_on(text: str, meant: str) -> None:
+    assert any(row.understanding.startswith(meant) for row in rows(text)), [row.understanding for row in rows(text)]

@@ -15,6 +15,11 @@ ESTIMATE = "typical of common goods (estimate)"
 PLACES = ("floor", "wall", "ceiling", "object")
 SIDES = ("front", "back", "left", "right")
 ONLY_SEEN = ("picture", "wall clock", "air conditioner", "shop wall sign")  # roles of what is there to be looked at
+PLUMBED = (
+    "kitchen",
+    "bathroom",
+)  # groups of what is as one with a counter that it is "on", where it is higher than that:
+BUILT_IN_FROM = 0.6  # metres
 HEADS = ("group", "role")  # tables of a data file that are no records: what the planner calls its group, and roles
 
 
@@ -58,6 +63,11 @@ class Category:
     def only_seen(self) -> bool:
         """Whether nobody needs to get to it where it hangs on a wall: pictures, clocks; a mirror is stood before."""
         return self.role in ONLY_SEEN and not self.use_sides
+
+    @property
+    def built_in(self) -> bool:
+        """Whether it is as one with a counter that it is "on", as a stove is."""
+        return self.group in PLUMBED and self.size[2] > BUILT_IN_FROM
 
 
 @cache

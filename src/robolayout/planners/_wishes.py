@@ -39,7 +39,6 @@ from robolayout.words import (
 )
 
 CARRIED = 0.5  # square metres of floor up to which a thing is put on another, where it is asked to stand there
-BUILT_IN = 0.6  # metres of height from which on what is "on" a counter is as one with it: a stove
 FOOTLESS = (
     0.09  # metres up to which a thing stands out from a wall where it hangs there instead of standing on its foot
 )
@@ -257,7 +256,7 @@ class RoomWishes:
                 continue
             to = [self.lexicon.kinds[at.thing.noun.kind] for at in mentions(link.objects[:1])]
             places = {item.name for item in link.objects if isinstance(item, Place)}
-            built = kind.size[2] > BUILT_IN and any(at.name.endswith(("counter", "island")) for at in to)
+            built = kind.built_in and any(at.name.endswith(("counter", "island")) for at in to)
             small = kind.size[0] * kind.size[1] < CARRIED and not built
             if link.relation == "on" and small and any(bearer.size[2] >= FLAT_HEIGHT for bearer in to):
                 kind = replace(kind, on_object=True, on_wall=False, on_ceiling=False, on_floor=False)

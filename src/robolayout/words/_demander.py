@@ -180,7 +180,8 @@ class Demander(AtSides):
         """A thing rests on another: a rug lies below what stands on it; what stands on the floor is flush with a counter that it is in."""
         if self._asset(b).is_flat:
             return single(stated("under", AssetRef(b), (AssetRef(a),)))
-        if self._asset(a).on_floor and not self._asset(a).on_object and self._is(b, ("counter", "island")):
+        built = self._asset(a).on_floor and not self._asset(a).on_object and category_of(self._asset(a)).built_in
+        if built and self._is(b, ("counter", "island")):
             return by_ways(ways_of.FLUSH, a, b)  # "a sink in an island", "the stove on one counter"
         hung = self._asset(a).on_wall and not self._asset(a).on_object
         if (shelf := self.shelved.get((a, b))) is not None:
