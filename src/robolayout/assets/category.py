@@ -15,11 +15,8 @@ ESTIMATE = "typical of common goods (estimate)"
 PLACES = ("floor", "wall", "ceiling", "object")
 SIDES = ("front", "back", "left", "right")
 ONLY_SEEN = ("picture", "wall clock", "air conditioner", "shop wall sign")  # roles of what is there to be looked at
-PLUMBED = (
-    "kitchen",
-    "bathroom",
-)  # groups of what is as one with a counter that it is "on", where it is higher than that:
-BUILT_IN_FROM = 0.6  # metres
+BUILT_INTO = ("kitchen", "bathroom")  # groups of what is as one with a counter that it is "on"
+BUILT_IN_FROM = 0.6  # metres of height from which on it is so
 HEADS = ("group", "role")  # tables of a data file that are no records: what the planner calls its group, and roles
 
 
@@ -67,7 +64,7 @@ class Category:
     @property
     def built_in(self) -> bool:
         """Whether it is as one with a counter that it is "on", as a stove is."""
-        return self.group in PLUMBED and self.size[2] > BUILT_IN_FROM
+        return self.group in BUILT_INTO and self.size[2] > BUILT_IN_FROM
 
 
 @cache

@@ -66,9 +66,8 @@ PILED = replace(ON_ANY, say=(*ON_ANY.say, "centered_on({a}, {b})", "align_with({
 BELOW = Join("under", ())  # how a thing stands below another
 AROUND = Join("around", (), gap=GAPS.seated, all=("around({items}, {b}, gap={gap})",))  # how seats stand around a thing
 FIRESIDE = ("in_front_of({a}, {b}, 0.3, 0.9)", "align_with({a}, {b}, 90)")
-BEFORE_A_FIRE = Join(
-    "front", (), gap=0.6, loose=True, say=FIRESIDE
-)  # how one of two that face each other stands before a fire
+# how one of two that face each other stands before a fire
+BEFORE_A_FIRE = Join("front", (), gap=0.6, loose=True, say=FIRESIDE)
 IN_THE_LIGHT = -3.0  # weight of the wish of what something hangs above to stand at a window
 
 

@@ -277,9 +277,9 @@ class AtPlaces:
 
     def _in_corner(self, a: str, vertex: int) -> Relation:
         """Return that a thing is in a corner, about there where nothing of it can touch a wall."""
-        point = floor_point(self.room.vertices[vertex])
-        near = stated("near", AssetRef(a), point, ways_of.FREE_IN_CORNER)
-        return near if a in self.surrounded else stated("corner", AssetRef(a), vertex)
+        if a in self.surrounded:
+            return stated("near", AssetRef(a), floor_point(self.room.vertices[vertex]), ways_of.FREE_IN_CORNER)
+        return stated("corner", AssetRef(a), vertex)
 
     def _across_from(self, vertex: int, other: str) -> Way:
         """Return that another thing, if there is one, is in the corner that is farthest from this one."""
