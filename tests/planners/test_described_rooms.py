@@ -26,6 +26,68 @@ def test_two_armchairs_by_the_fire_face_each_other_before_it() -> None:
     assert math.cos(one.yaw - two.yaw) < -0.98 or max(math.dist(chair.at, fire.at) for chair in (one, two)) < 1.6
 
 
+def test_four_desks_in_pairs_are_one_block() -> None:
+    """The second pair stood where no room was left for half of it."""
+    result = rl.generate(
+        "An office with four desks facing each other in pairs, a whiteboard and a printer", dress="none"
+    )
+    desks = [result.layout[f"desk-{i}"] for i in range(4)]
+    depth, width, _ = result.scene.by_name["desk-0"].size
+    assert result.report.ok
+    assert all(min(math.dist(one.at, two.at) for two in desks if two != one) < depth + 0.1 for one in desks)
+    assert max(math.dist(one.at, two.at) for one in desks for two in desks) < math.hypot(width, depth) + 0.1
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "A study with a desk by the window, a bookcase behind the chair and a rug",
+        "A home office with a desk, a bookcase behind the desk chair and an armchair in the corner",
+    ],
+)
+def test_what_is_behind_who_sits_at_a_desk_has_its_back_to_a_wall(text: str) -> None:
+    """It stood free in the room."""
+    result = rl.generate(text, dress="none")
+    (chair,) = (
+        result.layout[one.name] for one in result.scene.assets if one.category.endswith(("office chair", "desk chair"))
+    )
+    shelf = result.layout["bookshelf-0"]
+    back = (shelf.x - result.scene.by_name["bookshelf-0"].size[0] / 2 * math.cos(shelf.yaw), shelf.y)
+    back = (back[0], shelf.y - result.scene.by_name["bookshelf-0"].size[0] / 2 * math.sin(shelf.yaw))
+    assert result.report.ok
+    assert min(wall.distance(back) for wall in result.scene.room.walls) < 0.05
+    assert chair.seen(shelf.at)[0] < 0.0
+
+
+def test_two_double_beds_have_their_heads_at_one_wall() -> None:
+    result = rl.generate("A hotel room with two double beds, a desk and an armchair by the window", dress="none")
+    one, two = (result.layout[name] for name in ("bed-0", "bed-1"))
+    assert result.report.ok
+    assert math.cos(one.yaw - two.yaw) > 0.999
+    assert abs(one.seen(two.at)[0]) < 0.1
+
+
+def test_a_sofa_across_from_two_armchairs_is_across_from_both() -> None:
+    result = rl.generate("A living room with two armchairs and a sofa across from them", dress="none")
+    sofa, *chairs = (result.layout[name] for name in ("sofa-0", "armchair-0", "armchair-1"))
+    half = result.scene.by_name["sofa-0"].size[1] / 2
+    assert result.report.ok
+    for chair in chairs:
+        ahead, aside = sofa.seen(chair.at)
+        assert ahead > 0.5
+        assert abs(aside) < half + 0.5
+
+
+def test_a_bench_is_at_one_side_of_a_table_and_chairs_are_at_the_others() -> None:
+    """The chairs stood along the walls."""
+    result = rl.generate("A dining room with a table for eight people and a bench along one side of it", dress="none")
+    table = result.layout["dining_table-0"]
+    names = [asset.name for asset in result.scene.assets if asset.category in ("chair", "bench")]
+    assert result.report.ok
+    assert len(names) == 7
+    assert max(math.dist(result.layout[name].at, table.at) for name in names) < 1.6
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize(
     "text",

@@ -242,3 +242,33 @@ def test_what_has_something_behind_it_is_what_faces_something(text: str) -> None
 )
 def test_only_what_is_built_into_counters_is_beside_the_one_it_is_on(text: str, meant: str) -> None:
     assert any(row.understanding.startswith(meant) for row in rows(text)), [row.understanding for row in rows(text)]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "A kids bedroom with two beds, one on each side of the window, and a shared desk under it",
+        "A bedroom with two beds on either side of the window and a desk under it",
+    ],
+)
+def test_what_several_flank_is_what_it_stands_for(text: str) -> None:
+    """The desk was to stand under a bed."""
+    assert not any(row.understanding.startswith("under(") for row in rows(text))
+    assert any("desk" in row.words and row.kind == "relation" for row in rows(text))
+
+
+@pytest.mark.parametrize(
+    ("text", "meant"),
+    [
+        ("A bedroom with a desk in the far left corner", "corner(desk-0, 3)"),
+        ("A bedroom with a desk in the back right corner and a bed by the window", "corner(desk-0, 2)"),
+        ("A bedroom with a desk in the front right corner", "corner(desk-0, 1)"),
+        ("A bedroom with a lamp in the near right corner", "corner(floor_lamp-0, 1)"),
+        ("A room with a bed in the top left corner", "corner(bed-0, 3)"),
+        ("A bedroom with a dresser on the far left wall", "against_wall(dresser-0, walls[2])"),
+    ],
+)
+def test_a_corner_is_told_by_two_sides(text: str, meant: str) -> None:
+    """The first of its words was taken for the name of a thing."""
+    assert next(row.understanding for row in rows(text) if row.kind in ("relation", "not understood")) == meant
+    assert not any(row.kind == "not understood" for row in rows(text))

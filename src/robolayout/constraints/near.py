@@ -24,9 +24,15 @@ class Near(Relation):
     max_gap: float = argument("number", unit="m", default=0.5)
 
     def terms(self, scene: Scene, near: Layout) -> tuple[Term, ...]:
-        """Return one row: in b's frame both gaps at most max_gap / sqrt(2); of a point, a's inner disc within max_gap."""
+        """Return one row: in b's frame both gaps at most max_gap / sqrt(2); of a point, in a's frame.
+
+        There both are at most max_gap, and no point is farther from the middle than the nearest of those at a corner.
+        """
         if isinstance(self.b, PointRef):
-            return (FrameTerm(self.a, self.b, distance=(0.0, self.max_gap + min(half_size(scene, self.a)))),)
+            hx, hy = half_size(scene, self.a)
+            most = math.sqrt(hx**2 + hy**2 + self.max_gap**2 + 2.0 * self.max_gap * min(hx, hy))
+            along, across = (Interval(-half - self.max_gap, half + self.max_gap) for half in (hx, hy))
+            return (FrameTerm(self.b, self.a, along=along, across=across, distance=(0.0, most), moves="b"),)
         hx, hy = half_size(scene, self.b)
         gap = self.max_gap / math.sqrt(2)
         along, across = (Interval(-half - gap, half + gap, -1.0, -1.0) for half in (hx, hy))

@@ -140,6 +140,12 @@ class Added:
         if "sofa" not in self.asked and (low or wishes.rings(on)):
             faced |= {"sofa", *wishes.roles["sofa"].face.roles}  # all sit around a coffee table, or on a rug
         faced |= {"sofa"} if "sofa" not in self.asked and lounge else set()  # in the armchairs that look at something
+        across = [k for k in wishes.reading.parsed.links if k.relation in ("opposite", "facing") and named(k.objects)]
+        seats = [[*k.subjects, *mentions(k.objects)] for k in across if any(m.several for m in k.subjects)]
+        talk = {wishes.kind(m.thing) for each in seats for m in each if all(one.sat_on for one in each)}
+        faced |= {one for role in wishes.playing(talk).values() for one in role.face.roles}  # a sofa and two armchairs
+        screens = {*wishes.roles["sofa"].face.roles}
+        faced |= screens if screens & {role.name for role in wishes.playing(self.wished).values()} else set()
         borne = chain(*(self._companions(wishes.kind(to.thing)) for _, seen in pairs for to in mentions(seen)))
         unseen = {name for name, role in playing.items() if role.name in faced} - {*borne}  # the stand of the TV
         return unseen | {name for name in usual if unseen & self._companions(name).keys()}
@@ -223,7 +229,7 @@ class Added:
         others = {other for other in self.wished if self._of_another(other, name)}
         there = {self.wishes.head(other) for other in self.wished.keys() - others if not visits(other)}
         there |= self.wishes.general - {self.wishes.head(other) for other in others}
-        there |= {"chair"} if head(name) == "table" and SEATS & {*self.wished} else set()
+        there |= {"chair"} if head(name) == "table" and no_chairs(self.wished) else set()
         there |= SEATS if self._seated(name) else set()  # a stool, beside the chair of a vanity
         if self.room.tables and head(name) == "desk" and "chair" not in map(head, self.wishes.things):
             there.discard("chair")  # those that are there are of the tables
@@ -317,6 +323,12 @@ class Added:
         for turn in range(round(2 * times) if zones and times >= LARGER else 0):
             zone = zones[turn % len(zones)]
             self.found = both(self.found, zone) if self._fits(zone, self.fill) else self.found
+
+
+def no_chairs(wished: Mapping[str, int]) -> bool:
+    """Return whether other seats are at tables in place of chairs; a single bench is at one side, chairs are at the others."""
+    seats = {name: count for name, count in wished.items() if name in SEATS and count}
+    return bool(seats) and seats != {"bench": 1}
 
 
 def both(*lists: Mapping[str, int]) -> dict[str, int]:

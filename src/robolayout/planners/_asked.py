@@ -65,6 +65,8 @@ PARTING = ("left_of({a}, {b}, {gap}, {most})", "align_with({a}, {b}, 90)")
 PILED = replace(ON_ANY, say=(*ON_ANY.say, "centered_on({a}, {b})", "align_with({a}, {b})"))  # straight on each other
 BELOW = Join("under", ())  # how a thing stands below another
 AROUND = Join("around", (), gap=GAPS.seated, all=("around({items}, {b}, gap={gap})",))  # how seats stand around a thing
+# a bench, with chairs at the other sides
+AT_ONE_SIDE = Join("front", (), gap=GAPS.seated, faces="anchor", say=usual_say("front"))
 FIRESIDE = ("in_front_of({a}, {b}, 0.3, 0.9)", "align_with({a}, {b}, 90)")
 # how one of two that face each other stands before a fire
 BEFORE_A_FIRE = Join("front", (), gap=0.6, loose=True, say=FIRESIDE)
@@ -130,6 +132,7 @@ def join_as_asked(cast: Mapping[str, Cast], demands: Sequence[Demand], passage: 
         stays = stays or (len(metres) == len(said(about)) and not near)
         if not stays or any(relation.name == "mounted_on" for relation in said(about)):
             found[name] = found[name].alone
+    wanted |= dict(_only_benches(cast, wanted))
     seated = [wanted[name] for name in wanted if cast[name].role.name.endswith("seat")]
     laid = {(anchor, join.slot) for anchor, join in seated if join.slot in ("around", "front")}
     crowd = audience(cast, demands)
@@ -152,6 +155,17 @@ def join_as_asked(cast: Mapping[str, Cast], demands: Sequence[Demand], passage: 
     found |= dict(_off_piles(found, wanted, demands))
     found |= {name: one for name, one in _at_their_places(found, demands) if name not in wanted}
     return found | dict(_off_the_wall(found, demands))
+
+
+def _only_benches(
+    cast: Mapping[str, Cast], wanted: Mapping[str, tuple[str, Join]]
+) -> Iterator[tuple[str, tuple[str, Join]]]:
+    """Yield how the only bench of a table stands at one side of it, with chairs at the others."""
+    benches = {
+        name: to for name, (to, join) in wanted.items() if join == AROUND and cast[name].category.name == "bench"
+    }
+    tables = Counter(benches.values())
+    yield from ((name, (to, AT_ONE_SIDE)) for name, to in benches.items() if tables[to] == 1)
 
 
 def _at_ends_of_rows(cast: Mapping[str, Cast], demands: Sequence[Demand]) -> Iterator[str]:

@@ -221,6 +221,7 @@ class RoomWishes:
         fits = [name for name in items if name.split()[-1] == word and name.split()[0] != word and name not in low]
         if thing.noun.said == "small table":  # in a game room no pool table, beside a sofa no coffee table
             fits = [name for name in fits if name in (*LOW, *SMALL) and (thing.noun.others or kind not in LOW)]
+            fits = fits or [name for name in (room.tables,) if name in SMALL and not nouns]  # in a cafe, by the window
         # a shelf above a desk is none that stands
         hung = frozenset[str]() if thing.category.on_floor else {*thing.category.places}
         return next((name for name in fits if not hung or hung & {*self.lexicon.kinds[name].places}), kind)

@@ -12,6 +12,7 @@ from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
+from robolayout.assets import surfaces_of
 from robolayout.planners import _said as asked
 from robolayout.planners._knowledge import DATA, Face
 from robolayout.planners._roles import Cast, chain, passage
@@ -160,6 +161,8 @@ class Writer:
             yield from self._off_the_floor(item, modes[0])
         elif modes == ["corner"]:
             yield from self._fill(say["corner"], values, bound)
+        elif modes[0] == "wall" and self._behind_a_seat(item):
+            yield from self._fill(say["wall"], values)
         elif set(modes) <= {"wall", "corner"}:
             free = bound is not None and (self._leans(item) or name not in self.walled)
             held = name in self._held and not free
@@ -195,6 +198,11 @@ class Writer:
                 left -= item.asset.size[1]
                 found += [name] if left >= 0.0 and not self._leans(item) and _modes(item) == ["wall"] else []
         return frozenset(found)
+
+    def _behind_a_seat(self, item: Cast) -> bool:
+        """Return whether a thing is asked behind who sits: at the wall there, as people mean it."""
+        behind = item.join.slot == "behind" and item.name in self.asked
+        return behind and any(top.is_seat for top in surfaces_of(self.cast[item.anchor].asset))
 
     def _leans(self, item: Cast) -> bool:
         """Return whether a thing has its place from what it joins: all but what is asked beside a thing that it never stands beside."""
@@ -297,20 +305,23 @@ class Writer:
             prefer["corner"] = prefer.get("corner", 0.0) + SAYING.first
         if item.name in self.middle:
             prefer["middle"] = SAYING.middle
+        if len(self._equal(item)) > 1 and any(key.startswith("straight") for key in prefer):
+            prefer.pop("centre", None)  # two beds share their wall
         longest = max(room.walls, key=lambda w: (round(w.length, 3), -w.index))
         values = {
             "a": self._name(item.name),
             "at_wall": "mounted_on" if _modes(item)[0] == "hang" else "against_wall",
             "longest": f"walls[{longest.index}]",
         }
-        there = {"window": bool(room.windows), "door": bool(room.doors)}
+        there = {"window": bool(room.windows), "door": bool(room.doors), "straight": item.name not in self.asked}
         for key, weight in prefer.items():
             word, _, role = key.partition(" ")
             others = [n for n in self._playing(role) if n != item.name]
-            if others or (not role and there.get(word, True)):
+            if (others or not role) and there.get(word, True):
                 away = word in ("door", "far")
                 wished = DATA["prefer"].get(word, ())
-                yield from self._fill(wished, values | {"others": self._list(others)}, -weight if away else weight)
+                there_are = {"others": self._list(others), "other": "".join(map(self._name, others[:1]))}
+                yield from self._fill(wished, values | there_are, -weight if away else weight)
 
     def _cleared(self, item: Cast) -> Iterator[str]:
         """Yield the sides that a thing wants clear, where its kind does not say it.

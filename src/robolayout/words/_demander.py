@@ -39,6 +39,7 @@ class Demander(AtSides):
         self.askew = {name for link, it in asked if link.relation == "diagonal" for name in it.subjects}
         twos = [(link.relation, *two) for link, it in asked for two in it.twos]
         self.put = {a for _, a, _ in twos}  # what stands at another thing
+        self.placed = self.put.union(a for _, it in asked if it.place is not None for a in it.subjects)
         self.below = {a: b for how, a, b in twos if how == "above" and self._is(a, small.WATCHED)}
         self.across = {frozenset((a, b)) for how, a, b in twos if how == "opposite"}
         sat_on = {a for a in self.put if self._is(a, small.SEATS)}
@@ -291,13 +292,19 @@ class Demander(AtSides):
         elif it.place is not None:
             yield from self._facing(replace(it, groups=()))
         last: dict[str, str] = {}
-        for a, b in it.twos:
+        for a, b in (across := self._seats_opposite(it)) or it.twos:
             sat_on = self._is(a, small.SEATS) and a not in self.askew
             demand = by_ways(ways_of.OPPOSITE_SEATS if sat_on else ways_of.OPPOSITE, a, b)
-            yield self._or_abreast(a, last.get(b) if sat_on else None, demand)
+            yield self._or_abreast(a, last.get(b) if sat_on and not across else None, demand)
             if (low := self.below.get(a)) is not None and low != b:  # "a TV above the dresser, across from the bed"
                 yield by_ways(ways_of.OPPOSITE, low, b)
             last[b] = a
+
+    def _seats_opposite(self, it: Asked) -> list[tuple[str, str]]:
+        """Return which seats are across from which where one is from several alike: "two armchairs and a sofa across from them"."""
+        one, few = it.subjects[0], it.others if len(it.subjects) == 1 and len(it.others) < ways_of.CROWD else []
+        seats = alike(self.scene, few) and all(self._is(name, small.SEATS) for name in (one, *few))
+        return [(one, b) if b in self.placed else (b, one) for b in few] if seats else []
 
     def _facing(self, it: Asked) -> Iterator[Demand]:
         """Looking at a thing, a door or a window; a desk faces what one sees who sits at it."""
@@ -315,8 +322,7 @@ class Demander(AtSides):
             return
         for i, a in enumerate(subjects):
             targets = [AssetRef(b) for b in others if b != a] if others else self._points(it.place)
-            if len(others) == len(subjects):
-                targets = [AssetRef(others[i])]
+            targets = [AssetRef(others[i])] if len(others) == len(subjects) else targets
             angles = self._looks(a)[: 1 if a in self.looking else 2]
             looks = ((stated("point_towards", AssetRef(a), b, angle),) for b in targets for angle in angles)
             ways = [*self._straight(subjects, others), *self._squarely(a, it.place, angles), *looks]
@@ -325,6 +331,8 @@ class Demander(AtSides):
             if len(others) >= ways_of.CROWD and alike(self.scene, others):
                 turn = (180.0 + angles[0] + self._looks(others[0])[0]) % 360.0  # opposite to all of a crowd
                 ways = [(stated("align_with", AssetRef(a), AssetRef(others[0]), turn),), *ways]
+            if len(others) == 1 < len(subjects) and self._is(a, small.SEATS) and self._is(others[0], small.SEATS):
+                ways = [*by_ways(ways_of.OPPOSITE_SEATS, a, others[0]).ways, *ways]
             if i and ways and not others:  # side by side before one window
                 ways = [*by_ways(ways_of.ABREAST, a, subjects[0]).ways, *ways]
             if ways:

@@ -10,59 +10,17 @@ from functools import partial
 import numpy as np
 
 from robolayout.solve.build.cluster import Cluster
-from robolayout.solve.build.grid import grid_batches, in_one_row, last_cell, off_walls, put_grid
+from robolayout.solve.build.costs import COSTS
+from robolayout.solve.build.grid import grid_batches, in_one_row, last_cell, off_walls, put_grid, side_by_side
 from robolayout.solve.build.member import GridPlan, Member
 from robolayout.solve.build.overhead import asked_below, hang, lay_on, overhead
-from robolayout.solve.build.places import Places, batches, close
+from robolayout.solve.build.places import Places, batches, close, walled
 from robolayout.solve.build.rugs import lay_rugs
 from robolayout.solve.build.said import MISSED
 from robolayout.solve.build.site import Site
 from robolayout.solve.build.sorts import alike, given_up, uncommon
 from robolayout.solve.build.taste import keep_sight, looks, taste
 from robolayout.solve.build.wants import Want
-
-
-@dataclass(frozen=True)
-class Costs:
-    """What a furnished room may cost, and how long it is tried."""
-
-    unreached: float = 8.0  # cost of an asset that the agent cannot get to
-    cut_off: float = 40.0  # cost of all of the free floor being out of the agent's way
-    inexact: float = 30.0  # cost of a place where something touches, by the exact check
-    shut: float = 18.0  # cost of a place where a door or drawer does not open
-    spread: int = 12  # places tried all over the room: of a circle, of a block with no good one among the best
-    checked: int = 300  # best places that are checked exactly before one is taken
-    trials: int = 8  # places for which it is found out what they cut off
-    close: float = 0.3
-    widen: float = 0.04
-    """Metres between places of which both are tried, and how much more for each one that did harm."""
-    harmless: float = 0.8  # cost of what a place cuts off below which it is taken at once
-    hopeless: float = 6.0  # cost for each thing of a grid above which they are rather placed one by one
-    moves: int = 3  # most times in one attempt that things are moved once more
-    singles: int = 3
-    """Most single things that are tried in another place, and most unreached things that are given room."""
-    around: tuple[int, int] = (3, 6)  # how many things around one that is not reached are placed anew together
-    nowhere: float = 50.0  # cost of a cluster for which there is no place at all
-    bad: float = 2.5  # cost above which a place counts as bad enough to try something else
-    shares: tuple[float, float, float, float] = (1.0, 0.85, 0.7, 0.5)
-    """Shares of a set of equal things for which a grid is tried; the rest stands where it can."""
-    block: int = 3  # things of which walls are the first place that stand free in a grid, at least
-    tight: float = 1.2
-    ragged: float = 1.0
-    """Cost of a grid whose neighbours touch, and of each place that its last row leaves empty."""
-    much: float = 10.0  # cost of a place above which a cluster rather comes apart
-    stray: float = 2.0
-    """Cost of each thing that is left over from its grid; rows are worth more than each thing's own best place."""
-    shuffle: float = 0.35  # standard deviation of the turns of kinds from one attempt to the next, in places
-    noise: float = 0.1  # cost by which places vary from one attempt to the next
-    mood: float = 0.5  # standard deviation of the logarithm by which wishes vary from one attempt to the next
-    otherwise: float = 0.6  # cost of standing in a way that nothing says
-    # cost of what belongs at a thing and stands at another side of it, or by itself; and of rows that could have their backs at walls
-    elsewhere: float = 2.5
-
-
-COSTS = Costs()
-
 
 Modes = Mapping[str, float]
 """Ways of standing, the best first, with what each costs."""
@@ -224,6 +182,9 @@ class BuildPass:
         weights, modes = self._weights(items[0].weights), self._modes(items[0])
         if items[0].rows is not None or items[0].shape is not None:
             clusters = self._in_rows(clusters, modes, weights)
+        elif items[-1].straight and len(clusters) > 1 and next(iter(modes)) == "wall":
+            row = side_by_side(self.site, clusters)  # beds with their heads at one wall
+            clusters = [] if self._place(row, {"wall": 0.0}, weights, COSTS.bad) else clusters
         for cluster in clusters:
             own = self._modes(self.site.wants[cluster.anchor])
             self._place(cluster, self._open_to(cluster, own), weights)
@@ -237,6 +198,7 @@ class BuildPass:
 
     def _open_to(self, cluster: Cluster, modes: Modes) -> Modes:
         """Return the ways of standing that a cluster is open to: all, where in none of its own it meets what the user asks."""
+        modes = {**modes, "led": 0.0} if walled(self.site, cluster) else modes
         if not self.site.said.about([member.name for member in cluster.members]):
             return modes
         own = batches(self.site, cluster, modes)
@@ -262,7 +224,9 @@ class BuildPass:
             if lined or self._place_grid(own, weights, 0):
                 self._place_alone(out)
                 return []
-        elif next(iter(modes)) == "wall" or {*modes} <= {"wall", "corner"}:
+        elif not any(map(self.site.backed, clusters)) and (
+            next(iter(modes)) == "wall" or {*modes} <= {"wall", "corner"}
+        ):
             left = [one for one in clusters if not self._place(one, {"wall": 0.0}, weights, limit=COSTS.bad)]
             if "middle" not in modes:
                 return left  # their walls are demanded

@@ -23,6 +23,9 @@ from robolayout.solve.build.member import MARGIN, Member, Size, box_of, overlaps
 from robolayout.solve.build.tops import Top
 from robolayout.solve.build.wants import Want
 
+PLACE = 0.6
+"""Metres of a table's side that one seat takes: a bench takes several."""
+
 ASIDE = 0.05
 """Metres by which seats are tried farther aside of what stands under the same thing."""
 
@@ -80,7 +83,11 @@ class ClusterBuilder:
             "setting": self._on,
             "on": self._on,
         }  # in the order in which they are filled
-        for items in sorted(by_kind.values(), key=lambda group: ([*slots].index(_slot(group)), group[0].turn)):
+        # what is told its side stands nearest
+        turns = {
+            kind: ([*slots].index(_slot(one)), not one[0].joined.side, one[0].turn) for kind, one in by_kind.items()
+        }
+        for items in (by_kind[kind] for kind in sorted(by_kind, key=turns.__getitem__)):
             for member in slots[_slot(items)](anchor, items, placed):
                 for part in self._members(member.name):
                     moved = part.moved(member.x, member.y, member.yaw)
@@ -183,7 +190,8 @@ class ClusterBuilder:
 
     def _around(self, anchor: Want, items: Sequence[Want], placed: Sequence[Member]) -> list[Member]:
         """At the slots of the relation `around`; seats that are told to be at one side take the ones there."""
-        told = [side for one in self.followers[anchor.name] if (side := _told_side(one))]
+        sides = [(side, one) for one in self.followers[anchor.name] if (side := _told_side(one))]
+        told = [side for side, one in sides for _ in range(max(1, round(one.asset.size[1] / PLACE)))]
         seats = tuple(AssetRef(item.name) for item in (*items, *[items[0]] * len(told)))
         gap = max(item.joined.gap for item in items)
         around = Around(seats, AssetRef(anchor.name), gap if gap > AIM else None)

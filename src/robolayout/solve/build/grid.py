@@ -10,6 +10,7 @@ import numpy as np
 import shapely
 from numpy.typing import NDArray
 
+from robolayout.constraints.in_rows import InRows
 from robolayout.constraints.in_shape import SHAPES, InShape
 from robolayout.solve.build.cluster import Cluster
 from robolayout.solve.build.member import GridPlan, Member, Rect, box_of
@@ -47,16 +48,17 @@ def grid_batches(site: Site, clusters: Sequence[Cluster]) -> Iterator[tuple[Grid
     between = (extent[2] - extent[0] - size[0], extent[3] - extent[1] - size[1])
     aisle0, gap0 = max(rows.aisle, site.corridor), rows.gap
     names = tuple(cluster.anchor for cluster in clusters)
+    backs = "alike" if site.backed(clusters[0]) else rows.backs  # of desks that face each other no backs are left
     wide = math.ceil(max(len(rows.items), len(names)) / (rows.rows or 1))  # of fewer there are fewer rows
     for columns in range(1, len(names) + 1):
         count = math.ceil(len(names) / columns)
         if columns * (count - 1) >= len(names) or (rows.rows and columns != wide):
             continue
-        both = 1 if rows.backs == "alike" else 2  # chairs of both rows stand in the aisle
+        both = 1 if backs == "alike" else 2  # chairs of both rows stand in the aisle
         aisles = [(between[0] * both + aisle0 * wider, closer) for wider, closer in AISLES]
         walled = (
             [*_walled(site, size[0] / 2 - extent[0], aisles[0][0])]
-            if rows.backs == "facing" and count == 2 and rows.widest is None
+            if backs == "facing" and count == 2 and rows.widest is None
             else []
         )
         for aisle, closer in (*walled, *aisles):
@@ -64,7 +66,7 @@ def grid_batches(site: Site, clusters: Sequence[Cluster]) -> Iterator[tuple[Grid
                 continue
             gap = round(between[1] + gap0 * (closer if gap0 > 0.3 else 1.0), 2)
             central = max(rows.central, site.corridor) if rows.central else 0.0
-            plan = GridPlan(names, count, columns, round(aisle, 2), gap, rows.backs, closer < 1.0, central)
+            plan = GridPlan(names, count, columns, round(aisle, 2), gap, backs, closer < 1.0, central)
             cluster = _cluster(clusters, plan, size)
             poses = _poses(site, cluster, _yaws(site, cluster))
             if len(poses):
@@ -122,13 +124,17 @@ def in_one_row(site: Site, clusters: Sequence[Cluster]) -> Cluster | None:
     shaped = site.wants[clusters[0].anchor].shape is not None
     if shaped or rows is None or rows.rows != 1 or any(site.wants[one.name].anchor is not None for one in rows.items):
         return None
+    return side_by_side(site, clusters, rows)
+
+
+def side_by_side(site: Site, clusters: Sequence[Cluster], rows: InRows | None = None) -> Cluster:
+    """Return clusters in a row as one: as far apart as is told, or with a way between them."""
     extent, size = _extent(site, clusters[0]), site.size(clusters[0].anchor)
-    gap = round(extent[3] - extent[1] - size[1] + rows.gap, 2)
-    return _cluster(
-        clusters,
-        GridPlan(tuple(one.anchor for one in clusters), 1, len(clusters), 0.0, gap, rows.backs, False, rows.central),
-        size,
-    )
+    between = extent[3] - extent[1] - size[1]
+    gap = round(max(between, site.corridor) if rows is None else between + rows.gap, 2)
+    backs, central = ("alike", 0.0) if rows is None else (rows.backs, rows.central)
+    names = tuple(one.anchor for one in clusters)
+    return _cluster(clusters, GridPlan(names, 1, len(names), 0.0, gap, backs, False, central), size)
 
 
 def _extent(site: Site, cluster: Cluster) -> Rect:

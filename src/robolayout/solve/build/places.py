@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robolayout.constraints.corner import convex_corners
-from robolayout.scene import Wall
+from robolayout.scene import Pose, Wall
 from robolayout.solve.build.cluster import Cluster
 from robolayout.solve.build.member import Member, Poses
 from robolayout.solve.build.site import AT_WALL, Site
@@ -96,6 +96,23 @@ def _at_walls(site: Site, cluster: Cluster) -> Found:
         poses += [(*wall.point(t, back + WALL_GAP), yaw) for t in offsets]
         walls += [wall.index] * len(offsets)
     return poses, walls
+
+
+def walled(site: Site, cluster: Cluster) -> list[Member]:
+    """Return what goes by a cluster's anchor and is demanded to be at a wall: a bookcase behind the chair of a desk."""
+    ways = ((member, site.wants[member.name].stands.keys()) for member in cluster.members[1:])
+    return [member for member, stands in ways if stands and stands <= {"wall", "corner"}]
+
+
+def _by_its_followers(site: Site, cluster: Cluster) -> Found:
+    """Return places in which what goes by the anchor has its back at a wall."""
+    poses = list[tuple[float, float, float]]()
+    for member in walled(site, cluster):
+        there, _ = _at_walls(site, Cluster(member.name, (Member(member.name),)))
+        x, y = Pose(member.x, member.y, 0.0, member.yaw).seen((0.0, 0.0))
+        own = Member(cluster.anchor, x, y, -member.yaw)
+        poses += [(at.x, at.y, at.yaw) for at in (own.moved(*back) for back in there)]
+    return poses, -1
 
 
 def _in_corners(site: Site, cluster: Cluster) -> Found:
@@ -186,6 +203,7 @@ def targets(site: Site, name: str) -> list[str]:
 
 _PLACES = {
     "wall": _at_walls,
+    "led": _by_its_followers,
     "corner": _in_corners,
     "middle": _in_the_middle,
     "facing": _before_what_it_faces,

@@ -6,7 +6,7 @@ A statement often has several ways ("at a wall": one for each wall); while the r
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -48,9 +48,9 @@ class Said:
     asked: tuple[SaidStatement, ...] = ()  # the statements
 
     @staticmethod
-    def of(scene: Scene, program: Program) -> Said:
-        """Return the statements of a program but those that hold by the way in which places are found."""
-        relations = [one.relation for one in program.statements if not _built_in(one.relation)]
+    def of(scene: Scene, program: Program, joined: Collection[str]) -> Said:
+        """Return the statements of a program but those that hold by the way in which places are found: of what is `joined` to nothing."""
+        relations = [one.relation for one in program.statements if not _built_in(one.relation, joined)]
         asked = (SaidStatement(frozenset(one.asset_names()), one.ways(scene) or ((one,),)) for one in relations)
         return Said(scene, tuple(asked))
 
@@ -131,9 +131,10 @@ class Said:
         return Body(x, y, np.cos(yaw), np.sin(yaw), *np.array([[depth / 2], [width / 2], [core]]))
 
 
-def _built_in(relation: Relation) -> bool:
+def _built_in(relation: Relation, joined: Collection[str]) -> bool:
     """Whether a relation holds by the way in which places are found: on tops, at any wall, square to the room."""
-    anywhere = isinstance(relation, AgainstWall | MountedOn) and relation.wall is None
+    walled = relation if isinstance(relation, AgainstWall | MountedOn) else None
+    anywhere = walled is not None and walled.wall is None and walled.a.name not in joined
     return anywhere or isinstance(relation, OnTopOf | Under) or (isinstance(relation, AlignWith) and relation.b is None)
 
 

@@ -113,7 +113,8 @@ class Site:
         """Return the empty site of a scene, with what a program says of it."""
         corridor = max(0.6, 2 * max(agent.radius for agent in scene.agents) + 0.1)
         floor = Floor.of(scene.room, corridor, max(turning_radius(agent) for agent in scene.agents))
-        forms, said, clusters = Forms(scene, wants, corridor), Said.of(scene, program), ClusterBuilder(scene, wants)
+        forms, clusters = Forms(scene, wants, corridor), ClusterBuilder(scene, wants)
+        said = Said.of(scene, program, {name for name, want in wants.items() if want.anchor is not None})
         covers: dict[str, list[str]] = {}
         for want in wants.values():
             if want.over and (want.asset.is_flat or want.overhead):
@@ -240,6 +241,10 @@ class Site:
     def behind(self, member: Member) -> float:
         """Return the smallest x of a floor member in its cluster's frame, metres; 0 for what is on a top."""
         return box_of(member, self.size(member.name))[0] if self.on_floor(member) else 0.0
+
+    def backed(self, cluster: Cluster) -> bool:
+        """Return whether something stands behind a cluster's anchor: desks that face each other."""
+        return min(map(self.behind, cluster.members)) < self.behind(cluster.members[0])
 
     def clash(self, cluster: Cluster, poses: Poses, limit: float = math.inf) -> NDArray[np.float64]:
         """Return the cost (n,) of standing on other things, outside the room or in a landing.

@@ -26,6 +26,9 @@ BLOCKED_WINDOW = 5.0
 HIDDEN = 0.75
 """Cost of something in between a seat and its screen."""
 
+OPPOSITE = 0.5
+"""Cost of heading the other way than what it is wished to be straight to, as a share of that of being across to it."""
+
 LOW = 0.65
 """Metres of height of what one looks over."""
 
@@ -36,7 +39,8 @@ def taste(site: Site, batch: Places, weights: Mapping[str, float]) -> Cost:
     cost = wished(site, name, batch.poses[:, :2], weights) + _facing(site, name, batch.poses)
     for other, weight in site.wants[name].straight:
         if other in site.spots:
-            cost += weight * np.abs(np.sin(batch.poses[:, 2] - site.spots[other].member.yaw))
+            turn = batch.poses[:, 2] - site.spots[other].member.yaw
+            cost += weight * (np.abs(np.sin(turn)) + OPPOSITE * (1.0 - np.cos(turn)) / 2.0)
     return cost + _along_walls(site, batch, weights) if batch.mode in ("wall", "corner") else cost
 
 
