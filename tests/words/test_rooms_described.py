@@ -266,9 +266,38 @@ def test_what_several_flank_is_what_it_stands_for(text: str) -> None:
         ("A bedroom with a lamp in the near right corner", "corner(floor_lamp-0, 1)"),
         ("A room with a bed in the top left corner", "corner(bed-0, 3)"),
         ("A bedroom with a dresser on the far left wall", "against_wall(dresser-0, walls[2])"),
+        ("A bedroom with a dresser to the immediate left of the bed", "left_of(dresser-0, bed-0, max_gap=1.2)"),
+        ("A living room with an armchair looking out the window", "point_towards(armchair-0, (3.24, 0, 0))"),
+        ("I want a kids room; the bookcase goes facing inwards please", "point_towards(bookshelf-0, (1.9, 2.1, 0))"),
     ],
 )
-def test_a_corner_is_told_by_two_sides(text: str, meant: str) -> None:
+def test_where_a_thing_is_said_to_be_is_understood(text: str, meant: str) -> None:
     """The first of its words was taken for the name of a thing."""
     assert next(row.understanding for row in rows(text) if row.kind in ("relation", "not understood")) == meant
     assert not any(row.kind == "not understood" for row in rows(text))
+
+
+@pytest.mark.parametrize(
+    ("text", "meant"),
+    [
+        (
+            "A living room with a sofa near the window, facing away from it",
+            "point_towards(sofa-0, (3.24, 0, 0), angle=180)",
+        ),
+        ("A home office with two plants in opposite corners", "corner(plant-1, 0), corner(plant-0, 2)"),
+        ("A bedroom with a bed and a desk in opposite corners", "corner(desk-0, 0), corner(bed-0, 2)"),
+        (
+            "A bedroom with a bed and a dresser on the door side of the room",
+            "near(dresser-0, (0, 0.775, 0), max_gap=1.4)",
+        ),
+        ("A home office featuring a bookcase as you enter on the left", "zone(bookshelf-0, [(2.3, 0, 0)"),
+        ("A living room. On the right as you come in, there is a sofa.", "zone(sofa-0, [(0, 0, 0), (2.7, 0, 0)"),
+        ("A living room with a sofa pulled away from the wall and a rug", "sofa-0 at least 0.6 m from walls[0]"),
+        ("A living room with a sofa so that a wheelchair can pass behind it", "keep_clear(sofa-0, back)"),
+        ("A home office with a bookcase with nothing in front of it", "keep_clear(bookshelf-0)"),
+    ],
+)
+def test_places_that_people_tell_are_understood(text: str, meant: str) -> None:
+    found = rows(text)
+    assert any(meant in row.understanding for row in found), [row.understanding for row in found]
+    assert not any(row.kind == "not understood" for row in found)

@@ -145,7 +145,8 @@ class Added:
         talk = {wishes.kind(m.thing) for each in seats for m in each if all(one.sat_on for one in each)}
         faced |= {one for role in wishes.playing(talk).values() for one in role.face.roles}  # a sofa and two armchairs
         screens = {*wishes.roles["sofa"].face.roles}
-        faced |= screens if screens & {role.name for role in wishes.playing(self.wished).values()} else set()
+        seen = screens & {role.name for role in wishes.playing(self.wished).values()}
+        faced |= screens if seen and "television" not in self.asked else set()  # a TV may have its stand
         borne = chain(*(self._companions(wishes.kind(to.thing)) for _, seen in pairs for to in mentions(seen)))
         unseen = {name for name, role in playing.items() if role.name in faced} - {*borne}  # the stand of the TV
         return unseen | {name for name in usual if unseen & self._companions(name).keys()}

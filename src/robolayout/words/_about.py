@@ -106,6 +106,10 @@ class About(References):
         if not which:
             others = [m for m in self.recent or self.before if m.thing not in own][-1:]
             meant = others if that else self._standing(self._meant(word.value, chunk.value), chunk)
+        last = self.said.last
+        lone = word.value == "it" and all(m.thing in own for m in meant) and named(last.subjects) <= own
+        if lone and (place := place_in(last.objects, "door", "window")):
+            return place  # "a chair by the window, facing it"
         if word.value in small.SEVERAL:
             meant = [Mention(mention.thing, mention.pick) for mention in meant]
         self.pending = meant[1:]
@@ -334,7 +338,7 @@ class About(References):
         again = again or (ends and (by or (whole and relation in ("flank", "behind"))))
         begun = next(i for i, c in enumerate(self.chunks) if c.end == last.spans[-1][1])
         closed = self.chunks[begun - 1].kind == "and"
-        across = closed and to.value == "wall" and to.plural and "opposite" in to.adjectives
+        across = closed and to.value in ("wall", "corner") and to.plural and "opposite" in to.adjectives
         if (self.chunks[begun - 1].value == LISTED or across) and not again:
             return True  # "two shelves, a low one and a tall one, by the door", "a bed and a desk on opposite walls"
         had = "with" if relation == "flank" else ""

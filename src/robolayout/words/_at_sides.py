@@ -55,8 +55,11 @@ def in_corners(asked: Iterable[tuple[Link, Asked]]) -> dict[str, str]:
     """Return what is asked to be in a corner, with what is across from it: "a bed in one corner, a desk in the opposite one"."""
     found = dict[str, str]()
     for subjects, place in ((it.subjects, it.place) for _, it in asked if it.place is not None):
-        if place.name == "corner":
-            found |= dict.fromkeys(subjects, next(reversed(found), "") if "opposite" in place.words else "")
+        across = place.name == "corner" and "opposite" in place.words
+        if across and place.plural and len(subjects) == 2:  # "two plants in opposite corners"
+            found |= {subjects[0]: "", subjects[1]: subjects[0]}
+        elif place.name == "corner":
+            found |= dict.fromkeys(subjects, next(reversed(found), "") if across else "")
     return found
 
 

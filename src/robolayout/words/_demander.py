@@ -331,8 +331,6 @@ class Demander(AtSides):
             if len(others) >= ways_of.CROWD and alike(self.scene, others):
                 turn = (180.0 + angles[0] + self._looks(others[0])[0]) % 360.0  # opposite to all of a crowd
                 ways = [(stated("align_with", AssetRef(a), AssetRef(others[0]), turn),), *ways]
-            if len(others) == 1 < len(subjects) and self._is(a, small.SEATS) and self._is(others[0], small.SEATS):
-                ways = [*by_ways(ways_of.OPPOSITE_SEATS, a, others[0]).ways, *ways]
             if i and ways and not others:  # side by side before one window
                 ways = [*by_ways(ways_of.ABREAST, a, subjects[0]).ways, *ways]
             if ways:

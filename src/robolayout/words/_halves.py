@@ -15,7 +15,9 @@ def halves_meant(room: Room, place: Place) -> Iterator[tuple[PointRef, ...]]:
     x0, y0, x1, y1 = room.bounds
     halves = _halves(room)
     if room.doors:  # what is across the room from who comes in
-        halves["far"] = halves[_towards(room.walls[room.doors[0].wall].normal)]
+        x, y = room.walls[room.doors[0].wall].normal
+        ways = {"far": (x, y), "doorward": (-x, -y), "portside": (-y, x), "starboard": (y, -x)}
+        halves |= {name: halves[_towards(way)] for name, way in ways.items()}
     ends = ("left", "right") if x1 - x0 >= y1 - y0 else ("front", "back")
     told = (ends[place.det == "other"],) if place.det in ("one", "other") or place.number == 1 else ()
     end = ("far",) if "end" in place.words else ()  # "a nurse's desk at the end"

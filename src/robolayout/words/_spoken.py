@@ -262,7 +262,7 @@ class Spoken:
         if at and not before:  # "the bed under the window, the desk in the opposite corner"
             return replace(place, words=(), by=("across", at[0]))
         told = [small.ACROSS[word] for word in (before[0] if before else ()) if word in small.ACROSS]
-        self.said.missed += [] if before else [self._ahead(-1)]
+        self.said.missed += [] if before or place.plural else [self._ahead(-1)]  # "two plants in opposite corners"
         return replace(place, words=(*told,) or ("opposite",))
 
     def _number_of(self, item: Item) -> int:
