@@ -281,6 +281,8 @@ def test_who_sits_at_a_table_takes_nobodys_desk(text: str, things: dict[str, int
         ("a living room with a fireplace and a sofa facing it", {"television": 0, "tv stand": 0}),
         ("a living room with a fireplace and a sofa by the window", {"television": 0, "tv stand": 0}),
         ("a living room with a fireplace and a TV", {"television": 1}),
+        ("a kitchen for a child", {"range hood": 0}),
+        ("a kitchen", {"range hood": 1}),
         ("a dining room with a table for eight people and a bench along one side of it", {"chair": 6, "bench": 1}),
         ("a dining room with a table and two benches", {"chair": 0, "bench": 2}),
         ("a small studio apartment 4 x 4.5 m with a bed, a sofa and a dining table", {"desk": 0, "office chair": 0}),

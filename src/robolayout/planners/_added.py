@@ -213,9 +213,14 @@ class Added:
         return sum(carried) <= ON_TOPS * tops
 
     def _too_high(self, name: str) -> bool:
-        """Whether a thing that is opened hangs above what one of the bodies reaches: a wall cabinet for a child."""
+        """Whether a thing that is opened, or a hood, hangs above what one of the bodies reaches: a wall cabinet for a child."""
         kind, role = self.wishes.kinds[name], self.wishes.role(name)
-        if kind.on_floor or kind.open_depth <= 0 or role is None or not role.hung(kind.size[2]):
+        if (
+            role is None
+            or kind.on_floor
+            or not role.hung(kind.size[2])
+            or not (kind.open_depth > 0 or role.name == "hood")
+        ):
             return False
         bottom = role.hung(kind.size[2]) - kind.size[2] / 2
         return any(agent.reach_distance is not None and bottom > agent.reach_high for agent in self.agents)
