@@ -24,9 +24,9 @@ class Near(Relation):
     max_gap: float = argument("number", unit="m", default=0.5)
 
     def terms(self, scene: Scene, near: Layout) -> tuple[Term, ...]:
-        """Return one row: in b's frame both gaps at most max_gap / sqrt(2); of a point, in a's frame.
+        """Return one row: in b's frame both gaps at most g / sqrt(2), g being max_gap; of a point (u, v), in a's frame.
 
-        There both are at most max_gap, and no point is farther from the middle than the nearest of those at a corner.
+        |u| <= hx + g, |v| <= hy + g and |(u, v)| <= sqrt(hx^2 + hy^2 + g^2 + 2 g min(hx, hy)): all such points are within g of a.
         """
         if isinstance(self.b, PointRef):
             hx, hy = half_size(scene, self.a)

@@ -215,12 +215,8 @@ class Added:
     def _too_high(self, name: str) -> bool:
         """Whether a thing that is opened, or a hood, hangs above what one of the bodies reaches: a wall cabinet for a child."""
         kind, role = self.wishes.kinds[name], self.wishes.role(name)
-        if (
-            role is None
-            or kind.on_floor
-            or not role.hung(kind.size[2])
-            or not (kind.open_depth > 0 or role.name == "hood")
-        ):
+        used = kind.open_depth > 0 or (role is not None and role.name == "hood")
+        if role is None or kind.on_floor or not used or not role.hung(kind.size[2]):
             return False
         bottom = role.hung(kind.size[2]) - kind.size[2] / 2
         return any(agent.reach_distance is not None and bottom > agent.reach_high for agent in self.agents)

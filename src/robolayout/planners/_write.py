@@ -320,8 +320,8 @@ class Writer:
             if (others or not role) and there.get(word, True):
                 away = word in ("door", "far")
                 wished = DATA["prefer"].get(word, ())
-                there_are = {"others": self._list(others), "other": "".join(map(self._name, others[:1]))}
-                yield from self._fill(wished, values | there_are, -weight if away else weight)
+                meant = {"others": self._list(others), "other": "".join(map(self._name, others[:1]))}
+                yield from self._fill(wished, values | meant, -weight if away else weight)
 
     def _cleared(self, item: Cast) -> Iterator[str]:
         """Yield the sides that a thing wants clear, where its kind does not say it.

@@ -99,9 +99,9 @@ def _at_walls(site: Site, cluster: Cluster) -> Found:
 
 
 def walled(site: Site, cluster: Cluster) -> list[Member]:
-    """Return what goes by a cluster's anchor and is demanded to be at a wall: a bookcase behind the chair of a desk."""
-    ways = ((member, site.wants[member.name].stands.keys()) for member in cluster.members[1:])
-    return [member for member, stands in ways if stands and stands <= {"wall", "corner"}]
+    """Return what goes by an anchor, turned, and is demanded to be at a wall: a bookcase behind the chair of a desk."""
+    turned = ((member, site.wants[member.name].stands.keys()) for member in cluster.members if abs(member.yaw) > 0.1)
+    return [member for member, stands in turned if stands and stands <= {"wall", "corner"}]
 
 
 def _by_its_followers(site: Site, cluster: Cluster) -> Found:

@@ -48,9 +48,9 @@ class Said:
     asked: tuple[SaidStatement, ...] = ()  # the statements
 
     @staticmethod
-    def of(scene: Scene, program: Program, joined: Collection[str]) -> Said:
-        """Return the statements of a program but those that hold by the way in which places are found: of what is `joined` to nothing."""
-        relations = [one.relation for one in program.statements if not _built_in(one.relation, joined)]
+    def of(scene: Scene, program: Program, behind: Collection[str]) -> Said:
+        """Return the statements of a program but those that hold by how places are found, which those of what is `behind` others do not."""
+        relations = [one.relation for one in program.statements if not _built_in(one.relation, behind)]
         asked = (SaidStatement(frozenset(one.asset_names()), one.ways(scene) or ((one,),)) for one in relations)
         return Said(scene, tuple(asked))
 
@@ -131,10 +131,10 @@ class Said:
         return Body(x, y, np.cos(yaw), np.sin(yaw), *np.array([[depth / 2], [width / 2], [core]]))
 
 
-def _built_in(relation: Relation, joined: Collection[str]) -> bool:
+def _built_in(relation: Relation, behind: Collection[str]) -> bool:
     """Whether a relation holds by the way in which places are found: on tops, at any wall, square to the room."""
     walled = relation if isinstance(relation, AgainstWall | MountedOn) else None
-    anywhere = walled is not None and walled.wall is None and walled.a.name not in joined
+    anywhere = walled is not None and walled.wall is None and walled.a.name not in behind
     return anywhere or isinstance(relation, OnTopOf | Under) or (isinstance(relation, AlignWith) and relation.b is None)
 
 

@@ -114,7 +114,8 @@ class Site:
         corridor = max(0.6, 2 * max(agent.radius for agent in scene.agents) + 0.1)
         floor = Floor.of(scene.room, corridor, max(turning_radius(agent) for agent in scene.agents))
         forms, clusters = Forms(scene, wants, corridor), ClusterBuilder(scene, wants)
-        said = Said.of(scene, program, {name for name, want in wants.items() if want.anchor is not None})
+        behind = {name for name, want in wants.items() if want.join is not None and want.join.slot == "behind"}
+        said = Said.of(scene, program, behind)
         covers: dict[str, list[str]] = {}
         for want in wants.values():
             if want.over and (want.asset.is_flat or want.overhead):
