@@ -288,7 +288,7 @@ def test_where_a_thing_is_said_to_be_is_understood(text: str, meant: str) -> Non
         ("A bedroom with a bed and a desk in opposite corners", "corner(desk-0, 0), corner(bed-0, 2)"),
         (
             "A bedroom with a bed and a dresser on the door side of the room",
-            "near(dresser-0, (0, 0.775, 0), max_gap=1.4)",
+            "zone(dresser-0, [(0, 0, 0), (2.245, 0, 0)",
         ),
         ("A home office featuring a bookcase as you enter on the left", "zone(bookshelf-0, [(2.3, 0, 0)"),
         ("A living room. On the right as you come in, there is a sofa.", "zone(sofa-0, [(0, 0, 0), (2.7, 0, 0)"),
