@@ -52,8 +52,8 @@ def test_what_is_behind_who_sits_at_a_desk_has_its_back_to_a_wall(text: str) -> 
         result.layout[one.name] for one in result.scene.assets if one.category.endswith(("office chair", "desk chair"))
     )
     shelf = result.layout["bookshelf-0"]
-    back = (shelf.x - result.scene.by_name["bookshelf-0"].size[0] / 2 * math.cos(shelf.yaw), shelf.y)
-    back = (back[0], shelf.y - result.scene.by_name["bookshelf-0"].size[0] / 2 * math.sin(shelf.yaw))
+    (c, s), half = shelf.forward, result.scene.by_name["bookshelf-0"].size[0] / 2
+    back = (shelf.x - half * c, shelf.y - half * s)
     assert result.report.ok
     assert min(wall.distance(back) for wall in result.scene.room.walls) < 0.05
     assert chair.seen(shelf.at)[0] < 0.0

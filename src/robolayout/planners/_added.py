@@ -126,7 +126,11 @@ class Added:
         pairs = [(m, link.objects) for link in links for m in link.subjects if m.sat_on or m.thing in seats_on]
         watched, playing = self._roles_of(to.thing for _, seen in pairs for to in mentions(seen)), wishes.playing(usual)
         faced = {one for role in playing.values() if watched & {*role.face.roles} for one in role.face.roles}
-        met = (wishes.kind(one.thing) for one, seen in pairs if all([to.sat_on for to in mentions(seen)] or [not seen]))
+        met = {wishes.kind(one.thing) for one, seen in pairs if all([to.sat_on for to in mentions(seen)] or [not seen])}
+        across = [k for k in links if k.relation in ("opposite", "facing") and named(k.objects)]
+        seats = [[*k.subjects, *mentions(k.objects)] for k in across if any(m.several for m in k.subjects)]
+        # a sofa and two armchairs opposite it
+        met |= {wishes.kind(m.thing) for each in seats for m in each if all(one.sat_on for one in each)}
         faced |= {one for role in wishes.playing(met).values() for one in role.face.roles}
         seated = [
             link.objects for link in links if link.relation == "around" and any(one.sat_on for one in link.subjects)
@@ -137,16 +141,12 @@ class Added:
         }
         lone = (m for m, seen in pairs if seen and m.several and m.thing in turned)
         lounge = any(head(m.thing.noun.kind) == "armchair" for m in lone) and watched
-        if "sofa" not in self.asked and (low or wishes.rings(on)):
-            faced |= {"sofa", *wishes.roles["sofa"].face.roles}  # all sit around a coffee table, or on a rug
-        faced |= {"sofa"} if "sofa" not in self.asked and lounge else set()  # in the armchairs that look at something
-        across = [k for k in wishes.reading.parsed.links if k.relation in ("opposite", "facing") and named(k.objects)]
-        seats = [[*k.subjects, *mentions(k.objects)] for k in across if any(m.several for m in k.subjects)]
-        talk = {wishes.kind(m.thing) for each in seats for m in each if all(one.sat_on for one in each)}
-        faced |= {one for role in wishes.playing(talk).values() for one in role.face.roles}  # a sofa and two armchairs
         screens = {*wishes.roles["sofa"].face.roles}
-        seen = screens & {role.name for role in wishes.playing(self.wished).values()}
-        faced |= screens if seen and "television" not in self.asked else set()  # a TV may have its stand
+        if "sofa" not in self.asked and (low or wishes.rings(on)):
+            faced |= {"sofa", *screens}  # all sit around a coffee table, or on a rug
+        faced |= {"sofa"} if "sofa" not in self.asked and lounge else set()  # in the armchairs that look at something
+        named_too = screens & {role.name for role in wishes.playing(self.wished).values()}
+        faced |= screens if named_too and "television" not in self.asked else set()  # a TV may have its stand
         borne = chain(*(self._companions(wishes.kind(to.thing)) for _, seen in pairs for to in mentions(seen)))
         unseen = {name for name, role in playing.items() if role.name in faced} - {*borne}  # the stand of the TV
         return unseen | {name for name in usual if unseen & self._companions(name).keys()}

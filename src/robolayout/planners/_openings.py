@@ -202,8 +202,9 @@ def _aside(room: Room, wall: int, along: float, wishes: RoomWishes, full: Set[in
     if any(middle & named(link.objects) for link in links if link.relation in AT_SIDES):
         return 0.5
     told = _placed(room, wishes, "corner")
-    stand = ((walls, [kind for kind in there if {"floor", "object"} & {*kind.places}]) for walls, there in told)
-    meant = [walls for walls, there in stand if len(walls) == 2 and there]  # a printer, too, on what bears it
+    corners = ((walls, kinds) for walls, kinds in told if len(walls) == 2)
+    # a printer, too, on what bears it
+    meant = [walls for walls, kinds in corners if any({"floor", "object"} & {*kind.places} for kind in kinds)]
     beside = ((wall - 1) % len(room.walls), (wall + 1) % len(room.walls))
     start, end = (
         2 * any(all({wall, to} & {*walls} for walls in pair) for pair in meant) + (to in full) for to in beside

@@ -20,7 +20,8 @@ ON_A_SOFA, AT_ONE_SOFA = 3, 5
 def wished_things(wishes: RoomWishes) -> dict[str, int]:
     """Return what was asked for, with what the people in the sentence bring along."""
     room, wished = wishes.room, Counter(wishes.things)
-    people, benches = _people(wishes, wished), _on_benches(wishes)
+    benches = _on_benches(wishes)
+    people = _people(wishes, wished, benches)
     heads = {head(name) for name in wished}
     heads |= {"chair"} if no_chairs(wished) and "table" in heads else set()
     heads |= {"chair"} if "stool" in heads and _at_a_counter(wished) else set()
@@ -100,7 +101,7 @@ def usual_people(wishes: RoomWishes) -> int:
     return round(room.people * times) if grows else room.people
 
 
-def _people(wishes: RoomWishes, wished: dict[str, int]) -> int:
+def _people(wishes: RoomWishes, wished: dict[str, int], benches: int) -> int:
     """Return for how many the room is: as said, else as many as have a seat, a desk or a bed; seats are wished for."""
     room = wishes.room
     if wishes.seats:
@@ -108,7 +109,7 @@ def _people(wishes: RoomWishes, wished: dict[str, int]) -> int:
         chair = _chair(wishes)
         desks = sum(count for name, count in wished.items() if head(name) == "desk")
         named = sum(wished[name] for name in adults)
-        seats = max(wishes.seats - _on_benches(wishes), 0)
+        seats = max(wishes.seats - benches, 0)
         if named <= desks:  # what is asked for stands at the desks
             wished[chair] = max(wished.get(chair, 0), desks) + seats
         elif named == 1:  # "a table for six, the host's chair at its head"

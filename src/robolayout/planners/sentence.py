@@ -38,14 +38,7 @@ from robolayout.scene import (
     scene_from_dict,
     variable_name,
 )
-from robolayout.words import (
-    Mention,
-    NamedThing,
-    dressing,
-    mentions,
-    named,
-    place_in,
-)
+from robolayout.words import Mention, NamedThing, dressing, mentions, named, place_in
 
 LOW_ENOUGH, LEAST_SHARE = 0.95, 0.6
 """How much of the height of a shelf what goes there takes at the most, and by how much it is made smaller at the most for that."""

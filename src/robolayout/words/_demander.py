@@ -322,7 +322,8 @@ class Demander(AtSides):
             return
         for i, a in enumerate(subjects):
             targets = [AssetRef(b) for b in others if b != a] if others else self._points(it.place)
-            targets = [AssetRef(others[i])] if len(others) == len(subjects) else targets
+            if len(others) == len(subjects):
+                targets = [AssetRef(others[i])]
             angles = self._looks(a)[: 1 if a in self.looking else 2]
             looks = ((stated("point_towards", AssetRef(a), b, angle),) for b in targets for angle in angles)
             ways = [*self._straight(subjects, others), *self._squarely(a, it.place, angles), *looks]

@@ -83,11 +83,11 @@ class ClusterBuilder:
             "setting": self._on,
             "on": self._on,
         }  # in the order in which they are filled
+        order = [*slots]
         # what is told its side stands nearest
-        turns = {
-            kind: ([*slots].index(_slot(one)), not one[0].joined.side, one[0].turn) for kind, one in by_kind.items()
-        }
-        for items in (by_kind[kind] for kind in sorted(by_kind, key=turns.__getitem__)):
+        for items in sorted(
+            by_kind.values(), key=lambda one: (order.index(_slot(one)), not one[0].joined.side, one[0].turn)
+        ):
             for member in slots[_slot(items)](anchor, items, placed):
                 for part in self._members(member.name):
                     moved = part.moved(member.x, member.y, member.yaw)

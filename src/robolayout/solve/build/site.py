@@ -54,7 +54,7 @@ class Spot:
     """Where one asset was put, and why."""
 
     member: Member  # the asset in the world frame; `bottom` is its height above the floor
-    mode: str  # how it stands ("wall", "corner", "middle", "facing", "grid", "hang", "ceiling", "rug", "join", "given")
+    mode: str  # how it stands ("wall", "led", "corner", "middle", "facing", "grid", "hang", "ceiling", "rug", "join", "given")
     wall: int | None = None  # index of its wall
     anchor: str | None = None  # the asset it joins or hangs over
 
