@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from itertools import product
 
 import pytest
@@ -9,6 +10,7 @@ import pytest
 from robolayout.planners import OfflinePlanner
 from robolayout.run.given import as_scene
 from robolayout.words import read_words
+from robolayout.words._judged import Unjudged
 
 CORNERS = (
     *("left", "right", "far", "far left", "far right", "near left", "back right", "front left"),
@@ -30,6 +32,38 @@ PATTERNS = (
     ("{} the {}", TURNED, THINGS),
     ("to the {} of the {}", ("left", "right", "immediate left"), THINGS),
 )
+LENGTHS = ("1 m", "80 cm", "a metre", "3 feet")
+CLEARED = (
+    *(
+        "that has at least {} clear on every side",
+        "with {} clear on all sides",
+        "surrounded by at least {} of free floor",
+    ),
+    *("with {} of clear floor all around", "with {} of space around it", "needs {} of clearance on all sides"),
+    *("with {} of clearance in front", "with at least {} clear in front of it", "keeping {} clear behind it"),
+    *(
+        "with at least {} of free space on each side",
+        "leaving {} behind it to walk",
+        "so there is {} on each side of it",
+    ),
+    *(
+        "with a clearance of {} around it",
+        "with {} of walking space around it",
+        "with no less than {} of space on its left",
+    ),
+    *(
+        "with {} between it and the wardrobe",
+        "within {} of the window",
+        "{} away from the bed",
+        "no closer than {} to the door",
+    ),
+)
+TURNS = (
+    *("with the window on its left", "with the window on its right side", "so that the door is on my left"),
+    *("with light coming from the left", "that gets light from the right", "with the window behind it"),
+    *("perpendicular to the window", "lengthwise along the left wall", "with its long side against the right wall"),
+    *("turned slightly towards the window", "backing onto the wardrobe", "that must not face the door"),
+)
 SAID = (
     "A bedroom with a bed, a wardrobe and a dresser {}",
     "A bedroom with a bed and a wardrobe. Put a dresser {}, please",
@@ -42,13 +76,101 @@ def phrases() -> list[str]:
     return [pattern.format(*words) for pattern, *of in PATTERNS for words in product(*of)]
 
 
+def _rows(said: str) -> Sequence[Unjudged]:
+    """Return the rows of a sentence."""
+    return read_words(as_scene(said, OfflinePlanner(), None, seed=0, dress="none")).rows
+
+
 @pytest.mark.parametrize("turn", range(len(SAID)))
 def test_where_a_thing_stands_is_understood(turn: int) -> None:
     """The far left corner once was none."""
     missed = list[str]()
     for phrase in phrases()[turn :: len(SAID)]:
-        scene = as_scene(SAID[turn].format(phrase), OfflinePlanner(), None, seed=0, dress="none")
-        rows = read_words(scene).rows
+        rows = _rows(SAID[turn].format(phrase))
         about = any(row.kind == "relation" and any("dresser" in name for name in row.things) for row in rows)
         missed += [phrase] * (not about or any(row.kind == "not understood" for row in rows))
     assert not missed
+
+
+@pytest.mark.parametrize("length", LENGTHS)
+def test_free_floor_and_gaps_are_understood(length: str) -> None:
+    """Most of these once were none, and "on every side" made two tables of one."""
+    missed = list[str]()
+    for number, phrase in enumerate(CLEARED):
+        told = phrase.format(length).replace("a a ", "a ")
+        said = (
+            f"A bedroom with a bed, a window and a wardrobe. A table {told}."
+            if number % 2
+            else f"A bedroom with a table {told}, a bed and a wardrobe"
+        )
+        rows = _rows(said)
+        counted = [row.understanding for row in rows if row.kind == "count" and "table" in row.understanding]
+        about = any(row.kind == "relation" and any("table" in name for name in row.things) for row in rows)
+        wrong = counted != ["1 dining table"] or not about or any(row.kind == "not understood" for row in rows)
+        missed += [said] * wrong
+    assert not missed
+
+
+@pytest.mark.parametrize("kind", ["desk", "sofa"])
+def test_how_a_thing_is_turned_is_understood(kind: str) -> None:
+    missed = list[str]()
+    for phrase in TURNS:
+        rows = _rows(f"A study with a wardrobe, a window and a {kind} {phrase}.")
+        about = any(row.kind == "relation" and any(kind in name for name in row.things) for row in rows)
+        missed += [phrase] * (not about or any(row.kind == "not understood" for row in rows))
+    assert not missed
+
+
+@pytest.mark.parametrize(
+    ("said", "left"),
+    [
+        ("A study with a desk with the window on its left.", "align_with(desk-0, walls[0])"),
+        ("A study. The window is to the right of the desk.", "align_with(desk-0, walls[0], angle=180)"),
+        ("A study with a sofa with the window on its left.", "align_with(sofa-0, walls[0], angle=180)"),
+        ("A study with a bed lengthwise along the left wall.", "align_with(bed-0, walls[3])"),
+    ],
+)
+def test_a_window_at_a_hand_is_at_that_of_who_sits_there(said: str, left: str) -> None:
+    (row,) = [row for row in _rows(said) if row.kind == "relation"]
+    assert row.understanding.startswith(left)
+
+
+@pytest.mark.parametrize(
+    ("said", "height"),
+    [
+        ("A bedroom with a mirror hung at eye level.", "mounted_on(mirror-0, height=1.5)"),
+        ("A bedroom with a picture 1.6 m above the floor.", "mounted_on(picture-0, height=1.6)"),
+        (
+            "A kitchen with shelves at a height of 1.4 m.",
+            "mounted_on(wall_shelf-0, height=1.4); mounted_on(wall_shelf-1, height=1.4)",
+        ),
+        ("A kids' room with coat hooks at child height.", "mounted_on(wall_hooks-0, height=1)"),
+    ],
+)
+def test_heights_of_what_hangs_are_understood(said: str, height: str) -> None:
+    """The height of a shelf once was refused as that of the ceiling."""
+    (row,) = [row for row in _rows(said) if row.kind == "relation"]
+    assert row.understanding == height
+
+
+@pytest.mark.parametrize(
+    ("said", "counts"),
+    [
+        ("A cafe with six round tables, two chairs each.", {"round table": 6, "chair": 12}),
+        ("A cafe: six round tables (two chairs each).", {"round table": 6, "chair": 12}),
+        ("A restaurant with four tables seating four each.", {"table": 4, "chair": 16}),
+        ("An office with three desks and three chairs, one per desk.", {"desk": 3, "chair": 3}),
+        ("An office with three desks, a chair and a lamp on each.", {"desk": 3, "chair": 3, "lamp": 3}),
+        ("A bedroom with a bed and on each side of it a night stand with a lamp.", {"night stand": 2, "lamp": 2}),
+        ("A bedroom with night stands with lamps either side of the bed.", {"night stand": 2, "lamp": 2}),
+        ("A meeting room with a table and four chairs down each side and one at each end.", {"chair": 10}),
+        ("A meeting room with chairs around the table, three per side.", {"chair": 6}),
+    ],
+)
+def test_what_each_has_is_counted(said: str, counts: dict[str, int]) -> None:
+    """Four tables that seat four each once were 64, and two chairs each two."""
+    rows = _rows(said)
+    found = [row.understanding for row in rows if row.kind == "count"]
+    for kind, count in counts.items():
+        assert any(one.startswith(f"{count} ") and kind in one for one in found), (kind, found)
+    assert not any(row.kind == "not understood" for row in rows)

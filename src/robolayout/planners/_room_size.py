@@ -11,6 +11,7 @@ from robolayout.constraints.in_shape import shape_slots
 from robolayout.planners._wishes import RoomWishes
 from robolayout.scene import FLAT_HEIGHT
 from robolayout.words import (
+    AISLE,
     BETWEEN_BEDS,
     CROWD,
     MIDDLE_AISLE,
@@ -223,7 +224,7 @@ def _in_rows(
         rows, gap = (rows, 0.0) if rows > 0 else (math.ceil(math.sqrt(thing.count)), link.metres[0])
         each = math.ceil(thing.count / rows)
         aisle = SIZES.between if kind.endswith(("desk", "table")) else SIZES.aisle * (height >= FLAT_HEIGHT)
-        aisle += link.metres[0] * spaced
+        aisle = AISLE if rows > 1 and _amid(wishes, {thing}) else aisle + link.metres[0] * spaced
         width += _beside_a_bed(wishes, thing) if thing.head == "bed" else 0.0
         ahead = rows * (depth + aisle) + SIZES.around + SIZES.before
         seen = [item for k in links if k.relation == "facing" and thing in named(k.subjects) for item in k.objects]

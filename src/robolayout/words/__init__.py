@@ -22,6 +22,7 @@ from robolayout.words._said import place_in as place_in
 from robolayout.words._said import places as places
 from robolayout.words._said import sides as sides
 from robolayout.words._tokens import Measure as Measure
+from robolayout.words._ways import AISLE as AISLE
 from robolayout.words._ways import BETWEEN_BEDS as BETWEEN_BEDS
 from robolayout.words._ways import CROWD as CROWD
 from robolayout.words._ways import MIDDLE_AISLE as MIDDLE_AISLE

@@ -144,6 +144,12 @@ class AtSides(HowFar):
             at_wall = (stated("mounted_on", AssetRef(a)),) if self._asset(a).on_wall else ()
             yield Demand(((*at_wall, above), (on_top,))) if self._asset(a).on_object else single(above)
 
+    def _aloft(self, it: Asked) -> Iterator[Demand]:
+        """Hung on a wall, its middle so many metres above the floor."""
+        for a in it.subjects:
+            if self._asset(a).on_wall:
+                yield single(stated("mounted_on", AssetRef(a), None, it.metres[0]))
+
     def _across_a_top(self, b: str, items: Sequence[str], sided: str) -> Iterator[Way]:
         """Yield how two who sit at a table or desk look at each other over it: who has a manicure, and who gives it."""
         sat_at = sided and self._is(b, ("table", "desk", "lab bench")) and not self._is(b, tuple(small.LOW_TABLES))
@@ -358,15 +364,22 @@ class AtSides(HowFar):
             found += [stated("align_with", AssetRef(a), AssetRef(b), ways_of.TOWARDS[side])] * sat_on
         return tuple(found)
 
-    def _ways_turned(self, a: str, place: Place, across: bool) -> Iterator[Way]:
-        """Yield the ways in which the longer side of a thing is along a wall, or that of a window or door, or square to it."""
+    def _ways_turned(self, a: str, place: Place, relation: str) -> Iterator[Way]:
+        """Yield how a thing has its longer side along a wall, or that of a window or door, or square to it, or has it at a hand."""
         depth, width, _ = self._asset(a).size
         openings = openings_meant(self.room, place) if place.name != "wall" else ()
-        near = [stated("near", AssetRef(a), point, ways_of.AT_DOOR) for point in self._points(place)[: len(openings)]]
+        gap = ways_of.DAYLIGHT if relation in ways_of.AT_HAND else ways_of.AT_DOOR
+        near = [stated("near", AssetRef(a), point, gap) for point in self._points(place)[: len(openings)]]
+        angles = (0.0, 180.0) if (depth < width) == (relation == "square") else (90.0, 270.0)
+        if relation in ways_of.AT_HAND:  # of who sits at it
+            angles = ((ways_of.AT_HAND[relation] + self._looks(a)[0]) % 360.0,)
         at_walls = place.name == "wall"
         walls = [w.index for w in walls_meant(self.room, place)] if at_walls else [one.wall for one in openings]
+        side = round(min(depth, width) / 2 + ways_of.TOUCHING, 3)
         for number, wall in enumerate(walls):
-            for angle in (0.0, 180.0) if (depth < width) == across else (90.0, 270.0):
+            if relation == "sidelong":
+                near.append(stated("distance_constraint", AssetRef(a), WallRef(wall), None, side))
+            for angle in angles:
                 yield (stated("align_with", AssetRef(a), WallRef(wall), angle), *near[number : number + 1])
 
     def _straight(self, subjects: Sequence[str], others: Sequence[str]) -> Iterator[Way]:

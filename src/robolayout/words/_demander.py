@@ -130,8 +130,8 @@ class Demander(AtSides):
                 more = max(0.0, wide - self._asset(a).size[1])
                 yield from [Demand(ways)] if (ways := tuple(self._ways_beside(a, it.place, relation, more))) else []
             return
-        if relation in ("aligned", "square") and it.place.name in ("window", "door", "wall"):
-            found = [tuple(self._ways_turned(a, it.place, relation == "square")) for a in it.subjects]
+        if relation in ways_of.TURNED and it.place.name in ("window", "door", "wall"):
+            found = [tuple(self._ways_turned(a, it.place, relation)) for a in it.subjects]
             yield from (Demand(ways) for ways in found if ways)
             return
         on, share = relation in ("on", "wall", "hanging"), len(it.subjects) > 1 and relation != "flank"
@@ -432,7 +432,8 @@ class Demander(AtSides):
             groups = self.told.groups(it.others) if it.others and it.others[0] in self.told.each else ()
             if lines or len(groups) == 2:
                 across = [AssetRef(group[len(group) // 2]) for group in (groups or it.groups)]
-            pairs = [(across[0], across[1])] if len(across) == 2 else neighbours(ends, len(it.subjects))
+            rows = 1 < len(across) < len(ends) - len(it.subjects) or len(across) == 2  # "a table between the rows"
+            pairs = [*pairwise(across)] if rows else neighbours(ends, len(it.subjects))
             one, two = pairs[it.subjects.index(a) % len(pairs)]
             far = lines and all(len(group) > 2 for group in it.groups)  # rows along walls
             far = far or frozenset(getattr(end, "name", "") for end in (one, two)) in self.across

@@ -36,8 +36,9 @@ def settle_kinds(parsed: Parsed) -> None:
         _settle_by_others(link)
         _settle_by_place(link)
         at = place_in(link.objects[:1], "wall")
-        for thing in (one.thing for one in link.subjects if at and not (at.words or at.by or at.plural or stored)):
-            if link.relation == "on" and thing.noun.said == "shelf":
+        aloft, on = link.relation == "aloft", link.relation == "on" and not stored
+        for thing in (one.thing for one in link.subjects if at and not (at.words or at.by or at.plural)):
+            if (aloft or on) and thing.noun.said == "shelf":
                 _take(thing, "wall shelf")  # "a shelf on the wall", but "shelves on the left wall" stand there
 
 
@@ -179,7 +180,7 @@ def _where(link: Link) -> str:
     if isinstance(to, Place) and to.name in ("corner", "window", "door", "middle"):
         return "floor"
     if isinstance(to, Place) and to.name in ("wall", "ceiling"):
-        hung = link.relation in ("on", "hanging", "in")
+        hung = link.relation in ("on", "hanging", "in", "aloft")
         return "ceiling" if to.name == "ceiling" else "wall" if hung else "floor" if link.relation == "wall" else ""
     if link.relation == "behind" and all(mention.thing.noun.said == "mirror" for mention in link.subjects):
         return "wall"

@@ -99,7 +99,7 @@ class Parser(Relating):
     def _on_measure(self, chunk: Chunk) -> None:
         """A measure of the thing before it, where it can be one ("a desk that is 1.6 m wide"); else of the room."""
         assert chunk.measure is not None
-        if self._free_space(chunk, chunk.measure) or self._aisles(chunk, chunk.measure):
+        if any(read(chunk, chunk.measure) for read in (self._free_space, self._aisles, self._hung_at)):
             return
         before = self.chunks[: self.at - 1]
         while before and (before[-1].kind in ("filler", "verb", "pron", "and", "measure") or before[-1].value == "("):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import operator
-from collections.abc import Iterable, Iterator, Mapping, Sequence, Set
+from collections.abc import Iterable, Iterator, Sequence, Set
 from dataclasses import dataclass, replace
 from itertools import combinations, product
 
@@ -152,9 +152,7 @@ class AtPlaces:
 
     def __init__(self, scene: Scene) -> None:
         self.scene, self.room = scene, scene.room
-        self.cornered: Mapping[
-            str, str
-        ] = {}  # what is asked to be in a corner, perhaps one by a window, and what is across
+        self.cornered = dict[str, str]()  # what is asked to be in a corner, perhaps one by a window, and what is across
         self.surrounded = frozenset[str]()  # what touches no wall: seats are all around it, or something is behind it
 
     def _asset(self, name: str) -> Asset:
@@ -385,14 +383,16 @@ class AtPlaces:
             yield (between, *(stated(how, AssetRef(a), WallRef(one.wall)) for how in held if beside))
 
     def _points(self, place: Place | None) -> list[PointRef]:
-        """Return the middles of doors, windows or walls on the floor, or the middle of the room; none of no place."""
-        if place is None:
-            return []
-        if place.name in ("door", "window"):
-            return [floor_point(self.room.walls[o.wall].point(o.center)) for o in openings_meant(self.room, place)]
-        if place.name in ("middle", "room"):
-            return [PointRef(*centre(self.room))]
-        return [floor_point(wall.midpoint) for wall in walls_meant(self.room, place)] if place.name == "wall" else []
+        """Return the middles of doors, windows or walls on the floor, corners, or the middle of the room; none of no place."""
+        if place is None or place.name in ("middle", "room"):
+            return [PointRef(*centre(self.room))] * (place is not None)
+        if place.name == "corner":
+            found = [self.room.vertices[vertex] for vertex in corners_meant(self.room, place)]
+        elif place.name in ("door", "window"):
+            found = [self.room.walls[o.wall].point(o.center) for o in openings_meant(self.room, place)]
+        else:
+            found = [wall.midpoint for wall in walls_meant(self.room, place)] if place.name == "wall" else []
+        return [floor_point(point) for point in found]
 
     def _turnedfrom(self, it: Asked) -> Iterator[Demand]:
         """Looking away from a thing, a wall, a door or a window; a desk as one does who sits at it."""

@@ -12,8 +12,12 @@ from itertools import accumulate
 
 from robolayout.words._tokens import Measure, Token, measures
 
-METRES = {"WIDTH": 0.0, "TURNING": 1.5}
-"""Metres of free floor by the word of a rule: as much as the body needs to pass (0), or a wheelchair to turn round (ISO 21542)."""
+METRES = {"WIDTH": 0.0, "TURNING": 1.5, "EYES": 1.5, "YOUNG": 1.0}
+"""Metres by the word of a rule: of free floor as much as the body needs to pass (0), or a wheelchair to turn round (ISO 21542);
+above the floor where adults and children look."""
+
+_FIGURED = ("LENGTH", "WIDE", "SPARES")
+"""Parts that have a length in figures."""
 
 _DATA: dict[str, dict[str, str]] = tomllib.loads((files("robolayout.words") / "reworded.toml").read_text("utf-8"))
 
@@ -25,7 +29,8 @@ def _compiled(phrase: str) -> re.Pattern[str]:
 
 
 _RULES = tuple(
-    (_compiled(phrase), said.split(), "LENGTH" in phrase or "WIDE" in phrase) for phrase, said in _DATA["said"].items()
+    (_compiled(phrase), said.split(), any(part in phrase for part in _FIGURED))
+    for phrase, said in _DATA["said"].items()
 )
 
 
@@ -52,7 +57,7 @@ def _put(said: Sequence[str], words: Sequence[Token], spans: Sequence[slice], *,
     for i, word in enumerate(said):
         if word.startswith("{"):
             group = words[spans[int(word[1])]]
-            figured = figures and group[0].text not in ("the", "a")
+            figured = figures and group[0].text != "the"
             length = " ".join((*(one.text for one in group), word[3:].lower()))
             if figured and (told := measures(length)):  # one token with its measure
                 first, beyond = group[0], group[-1].end

@@ -36,16 +36,28 @@ class Spaces(About):
         known = both or every or (led.value in (*small.FREED, "amid") and (its or following))
         if measure.kind != "length" or not (free and known):
             return False
+        own = after.value == "it" and [c.kind for c in self.chunks[self.at - 3 : self.at - 1]] == ["thing", "with"]
         self._understood(*ahead)
-        self.at += len(ahead) + 1 + every + whole
+        self.at += len(ahead) + 1 + (every or own) + whole
         end = self._ahead(-1).end
         self.about = []  # floor, no thing
-        before = both or (every and not whole)
+        before = both or own or (every and not whole)  # "a window and a table with 1 m of free space around it"
         whose = self.group[-1:] if before else self._meant("it", led.value) if its else self._objects(led)
         about = mentions(whose)
         sides = [Place("side", (side,)) for side in small.FREED.get("around" if every else led.value, ())]
         how, on, to = ("cleared", about, sides) if sides else ("apart", about[:1], about[1:])  # "between the two"
         self.said.links.append(Link(how, (*on,), (*to,), chunk.start, end, (measure.values[0], math.inf)))
+        return True
+
+    def _hung_at(self, chunk: Chunk, measure: Measure) -> bool:
+        """Note how high the middle of a thing is that hangs on a wall: "a mirror 1.5 m above the floor"."""
+        last = (self.acted or self.group)[-1:]
+        hung = [one for one in last if "wall" in one.thing.places or one.walled or one.thing.noun.said == "shelf"]
+        if self._ahead().value != "aloft" or not hung:
+            return False
+        self.at += 1
+        wall, height = Place("wall"), measure.values[0]
+        self.said.links.append(Link("aloft", (*hung,), (wall,), chunk.start, self._ahead(-1).end, (height, height)))
         return True
 
     def _aisles(self, chunk: Chunk, measure: Measure) -> bool:

@@ -140,7 +140,13 @@ TO_ANOTHER: Mapping[str, Ways] = {
 }
 """What a thing is asked to be to another one, or to a place of the room, by the word of the list."""
 
-AT_PLACES = frozenset((*TO_ANOTHER, "oneside", "on", "in", "flank", "under", "above", "behind", "hanging"))
+AT_HAND = {"lefthand": 180.0, "righthand": 0.0}
+"""Degrees by which a thing with a door or window at its left or right is turned from its wall."""
+
+TURNED = frozenset((*AT_HAND, "aligned", "square", "sidelong"))
+"""Relations that say how a thing is turned to a wall, a door or a window."""
+
+AT_PLACES = frozenset((*TO_ANOTHER, *TURNED, "oneside", "on", "in", "flank", "under", "above", "behind", "hanging"))
 """Relations that lead to a place of the room as well as to things."""
 
 KEPT_OFF = 0.6

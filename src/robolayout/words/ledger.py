@@ -270,8 +270,10 @@ class _RowMaker:
         if link.relation == "beneath":
             return self._beneath(link, words)
         about = ", ".join(as_row.shown(mention) for mention in link.subjects)
-        to = " and ".join(as_row.shown(item) for item in link.objects)
-        said = [about, words, to] if about not in words.lower() else [to, "with", words] if to else [words]
+        to = " and ".join(as_row.shown(item) for item in link.objects if link.relation != "aloft")
+        own, led = about in words.lower(), not to or to in words.lower()  # as in phrases that stand for others
+        said = [*[about] * (not own), words, *[to] * (not led)]
+        said = [to, "with", words] if (own, led, link.relation) == (True, False, "with") else said
         said = [words, about] if link.relation == "cleared" else said
         implied = [mention for mention in link.subjects if mention.thing.implied]
         said = [words] if implied and implied[0].thing.spans == [(link.start, link.end)] else said
