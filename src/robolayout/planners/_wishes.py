@@ -48,12 +48,15 @@ Size = tuple[float, float, float]
 APART = 0.25  # metres between things that lie on a rug or sit in a line
 LONGEST = 50.0  # metres of the longest thing that a room is furnished with
 ELBOWS = 0.6  # metres of a table's edge for who sits there
-AT_ONE = 8  # seats up to which "tables for six" is said of each of them
+AT_ONE = 10  # seats up to which "tables for six" is said of each of them
 ENDS = 2  # seats at the ends of a table, which stay free where all sit at its longer sides
 APART_AT_TABLE = 0.03  # metres between seats that are wider
 FOR_TWO = 0.8  # metres of a table for two
 LEAST_HUNG, HUNG_APART = 0.4, 0.06  # metres that several things over one are wide at least, and between them
 BESIDE_A_DOOR = 1.5  # metres of a wall that are left of it where things of which no number is said stand along it
+LIKE = ({"chair", "theater seat"}, {"shelving unit", "pallet rack"}, {"computer", "monitor"})
+"""Kinds that stand for each other where nothing says how many there are: chairs in an auditorium are as many as its seats."""
+BENCHES = 2  # benches of a table where neither is counted
 IN_A_SHAPE = 6  # things in a circle, a half circle or a U of which no number is said
 
 LARGEST = 8.0  # how many times as large as usual a room is up to which the number of its zones and people grows
@@ -371,7 +374,8 @@ def read_wishes(text: str, own: Knowledge, meshes: Mapping[str, Category]) -> Ro
     ]
     wishes = RoomWishes(reading, room, tuple(guesses), rooms, lexicon, own.playing, meshes.keys() - own.things.keys())
     things = reading.parsed.things
-    chairs = [one for one in things if one.head == "chair" and one.plural and one.number is None and not one.bound]
+    sat_on = [one for one in things if one.head in ("chair", "bench") and one.plural]
+    chairs = [one for one in sat_on if one.number is None and not one.bound]
     for thing in things:
         _settle_number(thing, wishes)
     _settle_seats(chairs, wishes)
@@ -384,7 +388,8 @@ def _settle_seats(chairs: Sequence[NamedThing], wishes: RoomWishes) -> None:
     tops = [one for one in things if one.head == "desk" or one.noun.kind in SMALL]
     tops = [one for one in tops if one.plural or (room.tables and one.head == "table")]
     for thing in chairs if len(tops) == 1 else ():
-        usual = tops[0].count * (1 if tops[0].head == "desk" else room.at_table)
+        each = 1 if tops[0].head == "desk" else BENCHES if thing.head == "bench" else room.at_table
+        usual = tops[0].count * each
         thing.number = usual if usual > 1 and not wishes.placed(thing) else thing.number
 
 
@@ -397,18 +402,24 @@ def _settle_number(thing: NamedThing, wishes: RoomWishes) -> None:
         thing.number = math.ceil(thing.people / (room.at_table if name == room.tables else AT_ONE))
         thing.people = math.ceil(thing.people / thing.number)
         return
-    at_tables = math.ceil(people / (thing.people or room.at_table)) if name == room.tables else 0
-    brought = at_tables or room.person.get(name, 0) * people
-    some = wishes.placed(thing) and len(room.person) > 1  # "chairs along the wall" of a classroom are some of them
+    at_tables = name == room.tables or (room.tables and {name, room.tables} <= {*SMALL})
+    brought = math.ceil(people / (thing.people or room.at_table)) if at_tables else _usual(name, room.person) * people
+    # "chairs along the wall" of a classroom are some of them
+    some = wishes.placed(thing) and len(room.person) > 1 and name.endswith(SEATS)
     brought = 0 if some else brought
     about = [link for link in wishes.reading.parsed.links if thing in named(link.subjects)]
     round_it = [link for link in about if link.relation == "around" and not any(one.sat_on for one in link.subjects)]
     formed = [IN_A_SHAPE for link in about if link.relation in SHAPES or link in round_it]
     formed += [2 * link.rows for link in about if link.relation == "groups"]  # "armchairs in groups of three"
     walls = [to for link in about if (to := place_in(link.objects, "wall")) is not None and to.at_one_wall]
-    usual = max(brought, *(formed or [room.base.get(name, 0)]))
+    usual = max(brought, *(formed or [_usual(name, room.base)]))
     usual = min(usual, int((max(room.size) - BESIDE_A_DOOR) / wishes.kinds[name].size[1])) if walls else usual
     thing.number = usual if usual > thing.count and usual % max(thing.rows, 1) == 0 else None
+
+
+def _usual(name: str, counts: Mapping[str, int]) -> int:
+    """Return how many there usually are of a kind, or of the one that stands for it."""
+    return max((counts.get(kind, 0) for kind in next((like for like in LIKE if name in like), {name})), default=0)
 
 
 def _seats(thing: NamedThing, links: Sequence[Link]) -> float:

@@ -154,6 +154,7 @@ class Writer:
             if name in self.looked and name in self.watching:
                 at = f"{self._name(name)}, {self._name(self.watching[name])}"
                 yield f"solver.distance_constraint({at}, {SAYING.before[0]:g}, {SAYING.before[1]:g})"
+                yield _wish(f'centered_on({at}, "side")')
             if name in self.audience[-1:]:
                 rows = rows_of(len(self.audience))
                 yield f"solver.in_rows({self._list(self.audience)}, aisle=0, rows={rows})"

@@ -180,6 +180,9 @@ class BuildPass:
         if not clusters:
             return
         weights, modes = self._weights(items[0].weights), self._modes(items[0])
+        if items[0].rows is not None:  # as they are listed, row by row, the one in the middle of the first among them
+            turn = {one.name: number for number, one in enumerate(items[0].rows.items)}
+            clusters.sort(key=lambda cluster: turn.get(cluster.anchor, len(turn)))
         if items[0].rows is not None or items[0].shape is not None:
             clusters = self._in_rows(clusters, modes, weights)
         elif items[-1].straight and len(clusters) > 1 and next(iter(modes)) == "wall":
