@@ -82,7 +82,9 @@ class Added:
         shelves = [m for link in said if link.relation == "above" for m in link.subjects if m.thing.head == "shelf"]
         self.spared |= {"wall cabinet"} if shelves and high & {"counter"} else set()
         self.named = self.spared | self.wished.keys()
-        corners = [k for k in said if k.relation in ("corner", "cleared", "sidelong") or place_in(k.objects[:1], "corner")]
+        corners = [
+            k for k in said if k.relation in ("corner", "cleared", "sidelong") or place_in(k.objects[:1], "corner")
+        ]
         bare = [link for link in corners if link.relation == "cleared" and link.objects[1:]]
         self.cornered, self.bared = (
             self._roles_of(m.thing for k in links for m in k.subjects) for links in (corners, bare)

@@ -167,18 +167,22 @@ def _held_besides(
 ) -> Iterator[tuple[list[list[int]], list[Category]]]:
     """Yield the walls that a link takes without naming them: the one opposite the door of a shop, a long one for what hangs there.
 
-    That is a row of mirrors, or hooks over a bench between two cabinets.
+    That is a row of mirrors, hooks over a bench between two cabinets, or a mirror over what is opposite the door.
     """
     if not room.doors and any({"back", "rear"} & {*at.words} for at in places(link.objects, "side")):
         yield [_meant(room, Place("wall", ("back",)))], there
     mirrors = [wishes.kinds[m.thing.noun.kind] for m in mentions(link.objects) if m.thing.noun.kind == "mirror"]
     if mirrors and link.relation == "front" and sum(m.count for m in link.subjects) > 2:  # chairs, each before its own
         yield [_meant(room, Place("wall", ("long",)))], mirrors
-    ends = mentions(link.objects)
-    if link.relation == "amid" and ends and all(m.opens for m in ends):
-        over = {thing for k in wishes.reading.parsed.links if k.relation == "above" for thing in named(k.objects)}
-        if over & named(link.subjects):
-            yield [_meant(room, Place("wall", ("long",)))], [wishes.kinds[m.thing.noun.kind] for m in ends]
+    ends, doors = mentions(link.objects), places(link.objects, "door")
+    hung = [k for k in wishes.reading.parsed.links if k.relation == "above" and named(k.objects) & named(link.subjects)]
+    if hung and link.relation == "amid" and ends and all(m.opens for m in ends):
+        yield [_meant(room, Place("wall", ("long",)))], [wishes.kinds[m.thing.noun.kind] for m in ends]
+    if (
+        hung and link.relation == "opposite" and doors and room.doors
+    ):  # "a console opposite the door, a mirror above it"
+        over = [wishes.kinds[m.thing.noun.kind] for k in hung for m in k.subjects]
+        yield [_meant(room, Place("wall", by=("opposite", doors[0])))], over
 
 
 def _held(room: Room, wishes: RoomWishes, least: float, but: Collection[str] = ()) -> set[int]:

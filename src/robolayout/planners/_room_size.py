@@ -215,12 +215,14 @@ def _in_rows(
     """Yield how wide and how deep straight rows are, of things spaced evenly and of an audience, too."""
     links = wishes.reading.parsed.links
     spaced = link.relation == "apart" and not link.objects and len(line) == 1 and line[0].thing.count >= CROWD
-    crowd = link.relation == "rows" and line and (link.rows > 1 or (not link.rows and line[0].thing.count >= CROWD))
+    lines = link.relation in ("rows", "columns")
+    crowd = lines and line and (link.rows > 1 or (not link.rows and line[0].thing.count >= CROWD))
     looking = link.relation == "facing" and bool(wishes.audience & named(line) - told)
     for thing in [one.thing for one in link.subjects if spaced or crowd or looking][:1]:
         kind, rows = wishes.kind(thing), thing.rows if spaced else link.rows
         depth, width, height = wishes.kinds[kind].size
         rows = rows_of(thing.count) if looking else rows
+        rows = math.ceil(thing.count / rows) if link.relation == "columns" and rows else rows
         rows, gap = (rows, 0.0) if rows > 0 else (math.ceil(math.sqrt(thing.count)), link.metres[0])
         each = math.ceil(thing.count / rows)
         aisle = SIZES.between if kind.endswith(("desk", "table")) else SIZES.aisle * (height >= FLAT_HEIGHT)
@@ -230,7 +232,9 @@ def _in_rows(
         seen = [item for k in links if k.relation == "facing" and thing in named(k.subjects) for item in k.objects]
         hung = any(isinstance(item, Place) or not item.thing.category.on_floor for item in seen)
         kinds = {wishes.kind(one.thing) for one in mentions(seen)}
-        walled = [wishes.kinds[name] for name in kinds if name in wishes.roles and wishes.roles[name].stands == ("wall",)]
+        walled = [
+            wishes.kinds[name] for name in kinds if name in wishes.roles and wishes.roles[name].stands == ("wall",)
+        ]
         ahead += max((kind.size[0] for kind in walled if kind.on_floor), default=0.0)  # a stage
         hung |= bool(walled)
         ends = SIZES.seated if thing.head == "bed" else 0.0  # a door beside their heads

@@ -294,7 +294,8 @@ class Demander(AtSides):
         last: dict[str, str] = {}
         for a, b in (across := self._seats_opposite(it)) or it.twos:
             sat_on = self._is(a, small.SEATS) and a not in self.askew
-            demand = by_ways(ways_of.OPPOSITE_SEATS if sat_on else ways_of.OPPOSITE, a, b)
+            across_from = ways_of.OPPOSITE_HUNG if self._only_wall(b) else ways_of.OPPOSITE
+            demand = by_ways(ways_of.OPPOSITE_SEATS if sat_on else across_from, a, b)
             yield self._or_abreast(a, last.get(b) if sat_on and not across else None, demand)
             if (low := self.below.get(a)) is not None and low != b:  # "a TV above the dresser, across from the bed"
                 yield by_ways(ways_of.OPPOSITE, low, b)
@@ -321,9 +322,8 @@ class Demander(AtSides):
             yield from (single(stated("align_with", AssetRef(a), AssetRef(others[0]), turn)) for a in subjects)
             return
         for i, a in enumerate(subjects):
-            targets = [AssetRef(b) for b in others if b != a] if others else self._points(it.place)
-            if len(others) == len(subjects):
-                targets = [AssetRef(others[i])]
+            meant = [others[i]] if len(others) == len(subjects) else others
+            targets = [AssetRef(b) for b in meant if b != a] if others else self._points(it.place)
             angles = self._looks(a)[: 1 if a in self.looking else 2]
             looks = ((stated("point_towards", AssetRef(a), b, angle),) for b in targets for angle in angles)
             ways = [*self._straight(subjects, others), *self._squarely(a, it.place, angles), *looks]
@@ -391,9 +391,7 @@ class Demander(AtSides):
     def _groups(self, it: Asked) -> Iterator[Demand]:
         """Some here, some there: desks with their backs to each other, seats in circles, others near each other."""
         for part in self.told.groups(it.subjects):
-            if self._is(part[0], ("desk",)) and alike(self.scene, part):
-                yield in_rows(part, min(2, len(part) // 2), "paired")
-            elif self._is(part[0], small.SEATS) and len(part) > 2 and alike(self.scene, part):
+            if self._is(part[0], small.SEATS) and len(part) > 2 and alike(self.scene, part):
                 yield single(InShape(tuple(map(AssetRef, part)), "circle"))
             else:
                 yield from self._huddle(Asked(part))
@@ -401,14 +399,16 @@ class Demander(AtSides):
     _shares = _groups
 
     def _huddle(self, it: Asked) -> Iterator[Demand]:
-        """Each near another one; what hangs on walls, on one of them."""
+        """Each near another one; what hangs on walls, on one of them; desks as an island."""
         if all(map(self._only_wall, it.subjects)):
             yield from on_a_wall(it.subjects, self.room)
-            return
-        for number, a in enumerate(it.subjects[1:], 1):
-            beside = [*reversed(it.subjects[:number]), *it.subjects[number + 1 :]]
-            if self._asset(a).on_floor or not self._asset(a).on_object:
-                yield single(*(stated("near", AssetRef(a), AssetRef(b), ways_of.BACK) for b in beside))
+        elif self._is(it.subjects[0], ("desk",)) and alike(self.scene, it.subjects):
+            yield in_rows(it.subjects, min(2, len(it.subjects) // 2), "paired")
+        else:
+            for number, a in enumerate(it.subjects[1:], 1):
+                beside = [*reversed(it.subjects[:number]), *it.subjects[number + 1 :]]
+                if self._asset(a).on_floor or not self._asset(a).on_object:
+                    yield single(*(stated("near", AssetRef(a), AssetRef(b), ways_of.BACK) for b in beside))
 
     def _seen(self, it: Asked) -> Iterator[Demand]:
         for i, b in enumerate(it.others):  # "visible from the bed and from the sofa"

@@ -61,8 +61,9 @@ SEEN = (0.0, 20.0, 340.0, 40.0, 320.0)
 """Degrees by which a seat may be turned from what is visible from it, the relation allows 10 more."""
 
 OPPOSITE: Ways = ((("in_front_of", 0.0, ACROSS),),)
+OPPOSITE_HUNG: Ways = ((("in_front_of", 1.0, ACROSS),),)
 OPPOSITE_SEATS: Ways = tuple((*OPPOSITE[0], look) for look in (("align_with", 180.0), ("point_towards",)))
-"""Where things are that are opposite to another one, and where seats, which face it."""
+"""Where things are that are opposite to another one, to one on the wall, and where seats, which face it."""
 
 END_WALLS = {
     long: tuple(((side, 0.0, ACROSS),) for side in sides)
