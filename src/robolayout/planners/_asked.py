@@ -313,7 +313,7 @@ def _chains(
         told = max(between_edges, *gaps) + GAPS.seated if gaps else between_edges + GAPS.seated
         gap = max(GAPS.across, (top.asset.size[0] if top is not None else 0.0) + 2 * GAPS.before, told)
         fires = [to for one, other, to in symmetric if {one, other} == {a, b}]
-        yield a, (b, Join("front", (), gap=gap, loose=held and not fires, faces="anchor", say=usual_say("front")))
+        yield a, (b, Join("front", (), gap=gap, loose=held and not fires, faces="anchor", say=usual_say("front")[:1]))
         yield from ((b, (to, BEFORE_A_FIRE)) for to in fires)
         if top is not None and top.join.slot == "beside":  # a side table, here between the two
             half = (gap - top.asset.size[0]) / 2

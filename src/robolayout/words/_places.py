@@ -400,7 +400,7 @@ class AtPlaces:
         others = it.others[len(it.others) // 2 :][:1] if block else it.others  # "a desk facing away from the racks"
         for a in it.subjects:
             angle = 180.0 - self._looks(a)[0]
-            square = tuple(self._squarely(a, it.place, [angle]))  # a sofa in the middle with its back to the door
+            square = tuple(self._squarely(a, it.place, [angle], free=True))
             for point in (*map(AssetRef, others), *self._points(it.place)):
                 ways = [*square, (stated("point_towards", AssetRef(a), point, angle),)]
                 if isinstance(point, AssetRef):  # somewhere behind who sits there
@@ -408,10 +408,10 @@ class AtPlaces:
                     ways.append((stated(behind, point, AssetRef(a), 0.0, ways_of.ACROSS),))
                 yield Demand(tuple(ways))
 
-    def _squarely(self, a: str, place: Place | None, angles: Sequence[float]) -> Iterator[Way]:
-        """Yield how a thing in the middle or a corner of the room faces a door or window: straight to its wall, not askew."""
+    def _squarely(self, a: str, place: Place | None, angles: Sequence[float], *, free: bool = False) -> Iterator[Way]:
+        """Yield how a thing, if not `free` in the middle or a corner, faces a door or window: straight to its wall, not askew."""
         openings = openings_meant(self.room, place) if place is not None and place.name in ("door", "window") else ()
-        for opening in openings if a in self.central or a in self.cornered else ():
+        for opening in openings if free or a in self.central or a in self.cornered else ():
             yield from (
                 (stated("align_with", AssetRef(a), WallRef(opening.wall), (270.0 + one) % 360.0),) for one in angles
             )

@@ -309,6 +309,8 @@ class References(Spoken):
             for mention in subjects:
                 owned = isinstance(item, Mention) and item.thing is mention.thing
                 dealt = mention.thing in self.dealt or mention.pick is not None  # "two lamps, one in each corner"
+                if mention.thing.uncounted and mention.thing.head in small.OWN_ONE and item.det == "each":
+                    mention.thing.number = 1  # "beds with desks at the foot of each"
                 if mention.thing.times == 1 and not owned and not dealt:
                     mention.thing.times = count * (2 if mention.per_side(chunk) else 1)
         lined = places(objects, "wall") if chunk.value in ("wall", "on") else []
