@@ -64,7 +64,7 @@ def program(text: str) -> str:
         ),
         (
             "a living room with two armchairs facing each other and a small table between them",
-            ("solver.in_front_of(armchair[1], armchair[0]", "solver.align_with(armchair[1], armchair[0], 180)"),
+            ("solver.in_front_of(armchair[1], armchair[0]", "solver.facing_pair(armchair[1], armchair[0])"),
         ),
         (
             "a nurse station with a reception desk and two office chairs behind it",

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import re
+from collections.abc import Iterable, Sequence
 from itertools import product
+from typing import Any
 
 import pytest
 
@@ -11,6 +13,7 @@ from robolayout.planners import OfflinePlanner
 from robolayout.run.given import as_scene
 from robolayout.words import read_words
 from robolayout.words._judged import Unjudged
+from robolayout.words._reworded import RULES
 
 CORNERS = (
     *("left", "right", "far", "far left", "far right", "near left", "back right", "front left"),
@@ -174,3 +177,26 @@ def test_what_each_has_is_counted(said: str, counts: dict[str, int]) -> None:
     for kind, count in counts.items():
         assert any(one.startswith(f"{count} ") and kind in one for one in found), (kind, found)
     assert not any(row.kind == "not understood" for row in rows)
+
+
+def _certain(parsed: Iterable[tuple[Any, Any]]) -> int:
+    """Return how many groups of a parsed expression take part in every match."""
+    count = 0
+    for op, value in parsed:
+        if str(op) == "SUBPATTERN":
+            count += (value[0] is not None) + _certain(value[-1])
+        elif str(op) == "BRANCH":
+            count += min(map(_certain, value[1]))
+        elif str(op) in ("MAX_REPEAT", "MIN_REPEAT") and value[0] > 0:
+            count += _certain(value[2])
+    return count
+
+
+def test_a_rule_puts_only_groups_that_take_part() -> None:
+    """Everything on one wall once ended in an IndexError."""
+    wrong = list[str]()
+    for rule, said, _ in RULES:
+        wanted = max((int(word[1]) for word in said if word.startswith("{")), default=0)
+        parsed = re._parser.parse(rule.pattern)  # pyright: ignore[reportAttributeAccessIssue]
+        wrong += [rule.pattern] * (_certain(parsed) < wanted)
+    assert not wrong

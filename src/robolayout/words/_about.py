@@ -107,7 +107,8 @@ class About(References):
             others = [m for m in self.recent or self.before if m.thing not in own][-1:]
             meant = others if that else self._standing(self._meant(word.value, chunk.value), chunk)
         last = self.said.last
-        lone = word.value == "it" and all(m.thing in own for m in meant) and named(last.subjects) <= own
+        there = {m.thing for m in meant if m.thing.spans[-1][0] >= self.began}  # said in this sentence
+        lone = word.value == "it" and there <= own and named(last.subjects) <= own
         if lone and (place := place_in(last.objects, "door", "window")):
             return place  # "a chair by the window, facing it"
         if word.value in small.SEVERAL:

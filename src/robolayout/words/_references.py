@@ -313,6 +313,15 @@ class References(Spoken):
                     mention.thing.number = 1  # "beds with desks at the foot of each"
                 if mention.thing.times == 1 and not owned and not dealt:
                     mention.thing.times = count * (2 if mention.per_side(chunk) else 1)
+        self._counted_at_walls(chunk, subjects, objects)
+        for mention in subjects if chunk.value == "rows" else ():
+            mention.thing.rows = mention.thing.rows or chunk.rows  # "clothing racks in three rows"
+        for thing in (m.thing for m in subjects if chunk.value == "columns" and m.thing.rows and m.thing.uncounted):
+            thing.number = thing.rows * (chunk.rows or 1)  # "six rows of pews in two columns"
+        return subjects
+
+    def _counted_at_walls(self, chunk: Chunk, subjects: Sequence[Mention], objects: Sequence[Item]) -> None:
+        """Settle how many of what no number is said stand at several walls, or between others."""
         lined = places(objects, "wall") if chunk.value in ("wall", "on") else []
         several = not {"line", "lines", "lined", "lining"}.isdisjoint(chunk.adjectives)  # not "along the walls"
         walls = next((to.number or 2 * (to.plural and several) for to in lined if to.det != "all"), 0)
@@ -325,11 +334,6 @@ class References(Spoken):
                 thing.number = walls * at_each  # "bookshelves line two walls"
             elif apart and thing.parts_uncounted:
                 thing.number = self._gaps(apart[0])  # "partitions between the desks"
-        for mention in subjects if chunk.value == "rows" else ():
-            mention.thing.rows = mention.thing.rows or chunk.rows  # "clothing racks in three rows"
-        for thing in (m.thing for m in subjects if chunk.value == "columns" and m.thing.rows and m.thing.uncounted):
-            thing.number = thing.rows * (chunk.rows or 1)  # "six rows of pews in two columns"
-        return subjects
 
     def _link(self, chunk: Chunk, subjects: Sequence[Mention], objects: Sequence[Item]) -> None:
         """Note a relation; what stands at each of several things is as many times there."""

@@ -234,7 +234,7 @@ class Relating(Spaces):
         if chunk.value == "between":  # "1 m between the bed and the wardrobe"
             chunk, subjects = replace(chunk, value="apart"), mentions(objects)[:1]
             objects = [item for item in objects if item not in subjects]
-        if not objects and (top := self._on_what(chunk, subjects)):
+        if top := self._on_what(chunk, subjects, objects):
             half = (f"{chunk.value} half", tuple(subjects), tuple(top), chunk.start, chunk.end)
             self.said.links += [Link(*half)] * (chunk.value != "middle")
             chunk, objects = replace(chunk, value="on"), top
@@ -261,8 +261,16 @@ class Relating(Spaces):
         held = self.having and last.relation == "amid" and named(last.objects) == named(self.holder)
         return held and chunk.value in ("left", "right")
 
-    def _on_what(self, chunk: Chunk, subjects: Sequence[Mention]) -> list[Item]:
-        """Return the top whose left, right or middle is meant: "a desk with a lamp on the left and a computer in the middle"."""
+    def _on_what(self, chunk: Chunk, subjects: Sequence[Mention], objects: Sequence[Item]) -> list[Item]:
+        """Return the top whose left, right or middle is meant: "a desk with a lamp on the left and a computer in the middle".
+
+        What can stand nowhere but on something is on what it is said to be to the left of: "a vise at the right end of the bench".
+        """
+        if objects:
+            tops = [one for one in mentions(objects) if one.thing.head in (*small.TOPS, *small.BEARING, "workbench")]
+            only = [one for one in subjects if one.thing.places == ("object",) and not one.thing.noun.others]
+            there = chunk.value in ("left", "right") and chunk.det != "its" and len(only) == len(subjects) > 0
+            return [*tops] if there else []
         here = self._here
         halved = any(link.relation.endswith(" half") for link in here)
         before = here[-1].objects if here and here[-1].relation == "on" else ()

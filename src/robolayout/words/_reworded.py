@@ -28,7 +28,7 @@ def _compiled(phrase: str) -> re.Pattern[str]:
     return re.compile(rf"(?<!\S)(?<!of ){phrase}(?!\S)")
 
 
-_RULES = tuple(
+RULES = tuple(
     (_compiled(phrase), said.split(), any(part in phrase for part in _FIGURED))
     for phrase, said in _DATA["said"].items()
 )
@@ -37,7 +37,7 @@ _RULES = tuple(
 def reworded(words: list[Token]) -> list[Token]:
     """Return the words of a text with such phrases as the parser knows them, each in the place of what it stands for."""
     text = " ".join(word.text for word in words)
-    for rule, said, figures in _RULES:
+    for rule, said, figures in RULES:
         found = [*rule.finditer(text)]
         starts = [0, *accumulate(len(word.text) + 1 for word in words)] if found else []
         for match in reversed(found):

@@ -34,7 +34,7 @@ AFTER_AN_AGE = ("with", "and", "who", "that", "in", "to", "should", "is")
 """Years up to which somebody is a child, and from which on an adult; who is "of six"; words before which an age stands by itself."""
 
 _WORDS = "|".join(word for word in NUMBERS if word not in ("a", "an", "no", *VAGUE))
-_N = rf"(\d+(?:[.,]\d+)?|\b(?:{_WORDS})\b|\b(?:(?:half )?an?|a couple of)(?= met(?:re|er)s?\b))"
+_N = rf"(\d+(?:[.,]\d+)?|\b(?:{_WORDS})\b|\b(?:(?:half )?an?|a couple of)(?= met(?:re|er)s?\b| foot (?:from|away)\b))"
 _INCHES = r"(?:feet|foot|ft|')[ -]?\d+(?:\.\d+)?\s?(?:inches|inch|in\b|''|\")|'\d{1,2}(?!\d)"
 _LENGTHS = rf"{_INCHES}|metres?|meters?|m\b|cm\b|mm\b|centimet(?:re|er)s?|feet|foot|ft\b|inches|inch|['\"]"
 _U = rf"[\s-]*({_LENGTHS}|in\b)?"
@@ -152,7 +152,9 @@ ROOMS = {
 
 _marks = {"-": ",", "\u2013": ",", "\u2014": ",", "&": "and", "+": "and", "w/o": "without", "apiece": "each"}
 _marks |= {"opp": "opposite", "rm": "room", "tbl": "table", "btw": "between", "bdrm": "bedroom", "lg": "large"}
-_written = {"per": ("for", "each")} | {mark: (word,) for mark, word in _marks.items()} | {
+_written = {"per": ("for", "each")} | {
+    f"{ns}{ew}": (ns, ew) for ns in ("north", "south") for ew in ("east", "west")
+} | {mark: (word,) for mark, word in _marks.items()} | {
     f"{ten}{mark}{one}": (str(NUMBERS[ten] + NUMBERS[one]),)
     for ten in ("twenty", *_TENS[:-1]) for one in _WORDS.split("|") for mark in "- "
 }  # fmt: skip
