@@ -107,7 +107,7 @@ class About(References):
             others = [m for m in self.recent or self.before if m.thing not in own][-1:]
             meant = others if that else self._standing(self._meant(word.value, chunk.value), chunk)
         last = self.said.last
-        there = {m.thing for m in meant if m.thing.spans[-1][0] >= self.began}  # said in this sentence
+        there = {m.thing for m in meant if m.thing.spans[-1][0] >= last.start}  # said since
         lone = word.value == "it" and there <= own and named(last.subjects) <= own
         if lone and (place := place_in(last.objects, "door", "window")):
             return place  # "a chair by the window, facing it"
@@ -281,7 +281,7 @@ class About(References):
         others = [m for m in self.group if self._ahead().det != "the" or not m.thing.same(self._ahead())]
         self.group = others if others[1:] else self.group  # "a bed, a desk and a chair opposite the bed"
         noun = self.target.thing.noun if self.target is not None else None
-        hung = noun is not None and any("wall" in kind.places for kind in noun.categories)
+        hung = noun is not None and (noun.kind == "fireplace" or any("wall" in kind.places for kind in noun.categories))
         several = self.target is not None and self.target.several and not any(one.several for one in self.group)
         told = relation in ("by", "next", "near", "holds", *(("on", "wall") if following == "wall" and hung else ()))
         borne = self.said.last.relation == "on" and self.target is not None and self.target.several and bool(self.group)

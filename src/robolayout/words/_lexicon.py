@@ -136,6 +136,8 @@ class Lexicon:
     def noun(self, words: Sequence[str]) -> Noun | None:
         """Return what a phrase names, as it stands or in the singular; None if it is not known."""
         single = singular(" ".join(words))
+        if [*words[-1:]] == ["stands"] and singular(" ".join(words[:-1])) != " ".join(words[:-1]):
+            return None  # "a table with magazines stands in the middle"
         for text in (single, " ".join(words)):
             kind = self._known(text)
             if kind:
