@@ -192,7 +192,7 @@ def test_what_each_has_is_counted(said: str, counts: dict[str, int]) -> None:
         ("A living room. A lounge chair occupies the southeast corner.", "corner(lounge_chair-0, 1)"),
         (
             "A bookstore with two tables. The checkout counter is to the right of the entrance, facing it.",
-            "point_towards(checkout_counter-0, (2.",
+            "align_with(checkout_counter-0, walls[0])",
         ),
         (
             "A home office. The desk should face the window but not be directly under it.",

@@ -178,9 +178,8 @@ def _held_besides(
     hung = [k for k in wishes.reading.parsed.links if k.relation == "above" and named(k.objects) & named(link.subjects)]
     if hung and link.relation == "amid" and ends and all(m.opens for m in ends):
         yield [_meant(room, Place("wall", ("long",)))], [wishes.kinds[m.thing.noun.kind] for m in ends]
-    if (
-        hung and link.relation == "opposite" and doors and room.doors
-    ):  # "a console opposite the door, a mirror above it"
+    if hung and link.relation == "opposite" and doors and room.doors:
+        # "a console opposite the door, a mirror above it"
         over = [wishes.kinds[m.thing.noun.kind] for k in hung for m in k.subjects]
         yield [_meant(room, Place("wall", by=("opposite", doors[0])))], over
 

@@ -39,6 +39,16 @@ def on_walls_beside(asked: Iterable[tuple[Link, Asked]]) -> dict[tuple[str, str]
     return found
 
 
+LOOKS_ALONG = {"left": 180.0, "right": 0.0}
+"""Degrees by which what is on one side of a door is turned from its wall to look at who comes in there."""
+
+
+def beside_doors(asked: Iterable[tuple[Link, Asked]]) -> dict[str, float]:
+    """Return what is asked to the left or right of a door, with how it is turned from its wall to look there."""
+    there = [(LOOKS_ALONG[link.relation], it) for link, it in asked if link.relation in LOOKS_ALONG]
+    return {a: turn for turn, it in there if place_in(it.places, "door") for a in it.subjects}
+
+
 def parted(asked: Iterable[tuple[Link, Asked]]) -> frozenset[str]:
     """Return what is asked to opposite walls: what is between that may be far from both."""
     walls = ((it.subjects, it.place) for _, it in asked if it.place is not None and it.place.name == "wall")
@@ -70,6 +80,9 @@ class AtSides(HowFar):
     """Each two that are asked to face each other."""
 
     put: Set[str]
+    beside: Mapping[str, float]
+    """What is beside a door, with how it is turned from its wall to look there."""
+
     lounging: Mapping[str, tuple[str, tuple[float, float]]]
     """Several sofas, with armchairs, that are around a low table: at which side of it, and how far from it, each is."""
 
@@ -377,10 +390,11 @@ class AtSides(HowFar):
         walls = [w.index for w in walls_meant(self.room, place)] if at_walls else [one.wall for one in openings]
         side = round(min(depth, width) / 2 + ways_of.TOUCHING, 3)
         for number, wall in enumerate(walls):
+            held = near[number : number + 1]
             if relation == "sidelong":
-                near.append(stated("distance_constraint", AssetRef(a), WallRef(wall), None, side))
+                held.append(stated("distance_constraint", AssetRef(a), WallRef(wall), None, side))
             for angle in angles:
-                yield (stated("align_with", AssetRef(a), WallRef(wall), angle), *near[number : number + 1])
+                yield (stated("align_with", AssetRef(a), WallRef(wall), angle), *held)
 
     def _straight(self, subjects: Sequence[str], others: Sequence[str]) -> Iterator[Way]:
         """Yield how one seat is opposite several that have their place: "two armchairs by the fire, and a sofa facing them"."""
@@ -388,6 +402,14 @@ class AtSides(HowFar):
         seats = placed and all(self._is(name, small.SEATS) for name in (*subjects, *others))
         for b in others if seats else ():
             yield from by_ways(ways_of.OPPOSITE_SEATS[:1], subjects[0], b).ways
+
+    def _to_openings(self, a: str, place: Place | None, angles: Sequence[float]) -> Iterator[Way]:
+        """Yield how a thing looks straight at a door from beside it, along its wall, or at a window, too, from the middle or a corner."""
+        turn = (self.beside.get(a, 0.0) + angles[0]) % 360.0
+        doors = openings_meant(self.room, place) if place is not None and place.name == "door" else ()
+        for opening in doors if a in self.beside else ():
+            yield (stated("align_with", AssetRef(a), WallRef(opening.wall), turn),)
+        yield from self._squarely(a, place, angles)
 
     def _within(self, a: str, end: AssetRef | PointRef) -> float:
         """Return how far from an end a thing between two stands: what is narrower than itself flanks it."""

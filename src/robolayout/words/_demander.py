@@ -14,7 +14,7 @@ from robolayout.constraints.in_shape import InShape
 from robolayout.scene import Scene
 from robolayout.words import _function_words as small
 from robolayout.words import _ways as ways_of
-from robolayout.words._at_sides import AtSides, in_corners, on_walls_beside, parted
+from robolayout.words._at_sides import AtSides, beside_doors, in_corners, on_walls_beside, parted
 from robolayout.words._places import Asked
 from robolayout.words._rows import ToldRows, alike, in_rows, neighbours, on_a_wall
 from robolayout.words._said import Link, Mention, NamedThing, Place, mentions, named, place_in, places
@@ -33,7 +33,7 @@ class Demander(AtSides):
         asked = [(link, self._asked(link)) for link in links]
         self.shelved = dict(shelved(scene.by_name, asked))
         self.parted = parted(asked)
-        self.cornered = in_corners(asked)
+        self.cornered, self.beside = in_corners(asked), beside_doors(asked)
         along = (it for _, it in asked if it.place is not None and it.place.at_one_wall)
         self.lined = {a for it in along for a in it.subjects}  # all at the same wall
         self.askew = {name for link, it in asked if link.relation == "diagonal" for name in it.subjects}
@@ -326,7 +326,7 @@ class Demander(AtSides):
             targets = [AssetRef(b) for b in meant if b != a] if others else self._points(it.place)
             angles = self._looks(a)[: 1 if a in self.looking else 2]
             looks = ((stated("point_towards", AssetRef(a), b, angle),) for b in targets for angle in angles)
-            ways = [*self._straight(subjects, others), *self._squarely(a, it.place, angles), *looks]
+            ways = [*self._straight(subjects, others), *self._to_openings(a, it.place, angles), *looks]
             if len(others) == len(subjects) > 1 and self._into_a_mirror(a, others[i]):
                 ways = [*by_ways(ways_of.BEFORE_A_MIRROR, a, others[i]).ways]
             if len(others) >= ways_of.CROWD and alike(self.scene, others):

@@ -342,9 +342,8 @@ class References(Spoken):
             subjects, objects = self.holder, [Place("side", (chunk.value,))]  # "a bar with five stools on the left"
         self.about = list(subjects)
         led = objects or (self._led_back(chunk.value) if chunk.value in small.LED_BACK else [])
-        led = (
-            [] if chunk.value == "middle" and named(led) & named(subjects) else led
-        )  # "a table with a lamp is in the middle"
+        # "a table with a lamp is in the middle"
+        led = [] if chunk.value == "middle" and named(led) & named(subjects) else led
         there = [(b.thing, b.pick) for b in mentions(led)]  # "a stool and a lamp 1 m from the stool": the lamp
         others = [a for a in subjects if not any(a.thing is b and a.pick in (None, pick) for b, pick in there)]
         if (subjects and not others) or (chunk.value in ("above", "behind", "opposite") and not led):

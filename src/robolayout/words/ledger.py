@@ -273,7 +273,7 @@ class _RowMaker:
         to = " and ".join(as_row.shown(item) for item in link.objects if link.relation != "aloft")
         own, led = about in words.lower(), not to or to in words.lower()  # as in phrases that stand for others
         said = [*[about] * (not own), words, *[to] * (not led)]
-        said = [to, "with", words] if (own, led, link.relation) == (True, False, "with") else said
+        said = [to, "with", words] if own and not led and link.relation == "with" else said
         said = [words, about] if link.relation == "cleared" else said
         implied = [mention for mention in link.subjects if mention.thing.implied]
         said = [words] if implied and implied[0].thing.spans == [(link.start, link.end)] else said
