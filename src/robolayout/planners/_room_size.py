@@ -231,10 +231,8 @@ def _in_rows(
         ahead = rows * (depth + aisle) + SIZES.around + SIZES.before
         seen = [item for k in links if k.relation == "facing" and thing in named(k.subjects) for item in k.objects]
         hung = any(isinstance(item, Place) or not item.thing.category.on_floor for item in seen)
-        kinds = {wishes.kind(one.thing) for one in mentions(seen)}
-        walled = [
-            wishes.kinds[name] for name in kinds if name in wishes.roles and wishes.roles[name].stands == ("wall",)
-        ]
+        roles = {name: wishes.role(name) for name in map(wishes.kind, named(seen))}
+        walled = [wishes.kinds[name] for name, role in roles.items() if role is not None and role.stands == ("wall",)]
         ahead += max((kind.size[0] for kind in walled if kind.on_floor), default=0.0)  # a stage
         hung |= bool(walled)
         ends = SIZES.seated if thing.head == "bed" else 0.0  # a door beside their heads
