@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections import Counter
 from collections.abc import Iterable, Sequence
 from itertools import product
 from typing import Any
@@ -227,8 +228,50 @@ def test_what_each_has_is_counted(said: str, counts: dict[str, int]) -> None:
         ("A kitchen with everything on one wall.", "against_wall(kitchen_counter-0, walls[0])"),
         ("A living room with a piano against the wall that doesn't have windows.", "against_wall(piano-0, walls[2])"),
         ("A workshop. In the center there is a table saw with clearance on all sides.", "keep_clear(table_saw-0)"),
+        ("A cafe with three booths, each consisting of a table with a bench on either side.", "left_of(bench-0, dining_table-0"),
+        (
+            "A store. Three shelving units are along the back wall. Two more stand in the middle.",
+            "distance_constraint(shelving_unit-3,",
+        ),
+        ("An exam room. The exam table sticks out from the middle of the left wall.", "against_wall(examination_table-0, walls[1])"),
+        ("An exam room with a counter with a sink on the back wall.", "against_wall(kitchen_counter-0, walls[0])"),
+        ("A game room with a pool table in the middle, leaving enough room to play on all sides.", "keep_clear(pool_table-0)"),
+        (
+            "A game room. A bar counter is along a wall, and two armchairs with a table between them sit in a corner.",
+            "corner(armchair-0, 0)",
+        ),
+        ("A music room. Three chairs with music stands form a semicircle.", "in_shape([chair-0, chair-1, chair-2], half circle)"),
+        (
+            "A workshop. The workbench spans most of the back wall, with a vise on its left end.",
+            "on_top_of(vise-0, workbench-0)",
+        ),
+        (
+            "A workshop with a workbench, a pegboard above it and a tool chest under the pegboard beside the workbench.",
+            "near(tool_chest-0, workbench-0",
+        ),
+        ("A lounge with two sofas facing each other and a fireplace at the end of the seating group.", "near(fireplace-0, sofa-0"),
+        ("A studio with a table, four chairs around it, a microphone and headphones at each seat.", "near(microphone-0, chair-0)"),
+        ("A classroom. A reading corner with a rug and three cushions is in the back left corner.", "corner(rug-0, 1)"),
+        ("An office with two armchairs by the window. The desk is in a corner with its chair.", "in_front_of(office_chair-0, desk-0"),
+        ("A living room: on the left a sofa with a table at each end, on the right a desk.", "zone(desk-0, [(2.7, 0, 0)"),
+        ("A gym with treadmills facing the mirror wall and a rack of weights on the opposite wall.", "mounted_on(mirror_wall-0, walls[0])"),
+        ("The bedroom centers on a king bed whose headboard is against the left wall.", "against_wall(bed-0, walls[3])"),
+        ("An entryway with a console table against the left wall. Opposite is a bench.", "in_front_of(bench-0, console_table-0"),
+        ("A church with twelve pews in two columns of six with a center aisle.", "in_rows([pew-0, pew-1, pew-2"),
+        ("A bunk room: three bunk beds, one along each wall except the door wall.", "against_wall(bunk_bed-0, walls[1]), against"),
+        ("A salon with three barber chairs along the right wall, each in front of a mirror.", "mounted_on(mirror-0, walls[3])"),
+        ("A gym with dumbbells on a rack under the mirror.", "above(mirror-0, shelving_unit-0)"),
+        ("A lounge with two armchairs with a small table and a tissue box between them.", "on_top_of(tissue_box-0, side_table-0)"),
+        ("A hotel room has two beds with a nightstand between them, facing a dresser.", "point_towards(bed-0, dresser-0)"),
+        ("A kitchen. The sink faces the window on the east wall.", "near(kitchen_sink-0, (4.4,"),
+        ("A hospital room with a bed, an IV stand on its left and a monitor on a cart on its right.", "right_of(patient_monitor-0"),
+        ("A kitchen with a fridge. A counter with a kettle and a toaster is opposite.", "in_front_of(kitchen_counter-0, fridge-0"),
+        ("A computer lab with two rows of five computers.", "in_rows([desk-0, desk-1"),
+        ("A nail salon with two tables, each with a chair on one side and a stool on the other.", "in_front_of(stool-0, "),
+        ("A bar with a counter on the left wall and shelves behind it.", "distance_constraint(bar_counter-0, walls[1]"),
+        ("A room with two single beds on opposite walls and a desk between them under the window.", "against_wall(single_bed-0, walls"),
     ],
-)
+)  # fmt: skip
 def test_what_models_and_people_write_is_understood(said: str, meant: str) -> None:
     """Each of these once was *not understood*, or something else."""
     rows = _rows(said)
@@ -257,3 +300,38 @@ def test_a_rule_puts_only_groups_that_take_part() -> None:
         parsed = re._parser.parse(rule.pattern)  # pyright: ignore[reportAttributeAccessIssue]
         wrong += [rule.pattern] * (_certain(parsed) < wanted)
     assert not wrong
+
+
+@pytest.mark.parametrize(
+    ("said", "counts"),
+    [
+        ("A dining room with a table for six and two chairs by the window.", {"dining_table": 1, "chair": 8}),
+        ("A terrace with a dining table for six and two chairs around a fire pit.", {"chair": 8}),
+        ("A music room with three chairs with music stands.", {"music_stand": 3}),
+        ("A living room with tall plants in every corner.", {"plant": 4}),
+        ("An executive office with an L-shaped desk and a meeting table with four chairs.", {"monitor": 1}),
+        ("A carpentry classroom with eight workbenches in two columns of four, a stool at each.", {"student_desk": 0}),
+        ("A small restaurant with six tables.", {"chafing_dish": 0, "dining_table": 6}),
+        ("A studio with a bookshelf that acts as a room divider.", {"act": 0}),
+        ("A studio with a camera a few steps in front of a stool.", {"step_stool": 0}),
+    ],
+)
+def test_things_are_as_many_as_people_mean(said: str, counts: dict[str, int]) -> None:
+    scene = as_scene(said, OfflinePlanner(), None, seed=0, dress="none")
+    there = Counter(asset.name.rsplit("-", 1)[0] for asset in scene.assets)
+    assert {kind: there[kind] for kind in counts} == counts
+
+
+def test_what_is_behind_the_chair_is_behind_the_one_that_is_single() -> None:
+    text = "An office with a desk, an office chair and two guest chairs. Behind the chair is a credenza."
+    assert any("behind(sideboard-0, office_chair-0" in row.understanding for row in _rows(text))
+
+
+def test_the_door_is_across_from_the_far_wall() -> None:
+    """A screen on the far wall once hung beside the door."""
+    text = "A conference room with a screen on the far wall and a table with six chairs."
+    scene = as_scene(text, OfflinePlanner(), None, seed=0, dress="none")
+    (row,) = [row for row in read_words(scene).rows if "far wall" in row.words]
+    far = int(re.findall(r"walls\[(\d)\]", row.understanding)[0])
+    one, two = (scene.room.walls[i].normal for i in (far, scene.room.doors[0].wall))
+    assert one[0] * two[0] + one[1] * two[1] < -0.9

@@ -19,6 +19,7 @@ from robolayout.words import (
     grammar,
     mentions,
     named,
+    opposed,
     places,
     sides,
     walls_meant,
@@ -83,9 +84,11 @@ def with_openings(
     asked = _wanted(wishes.reading, "door", 1 + int(room.area / OPENINGS.door_each), OPENINGS.most_doors)
     full, doors = _held(room, wishes, 0.0), list[Opening]()
     lit = {i for wanted in _wanted(wishes.reading, "window", 1, 1) if wanted.told for i in _meant(room, wanted.wall)}
+    near = _near(room, wishes.reading)
     for number, item in enumerate(i for i in asked for _ in range(i.count)):
         fits = [i for i in order if room.walls[i].length > wide and i not in {d.wall for d in doors}] or order
-        fits = [i for i in fits if i not in full | lit] or [i for i in fits if i not in full] or fits
+        off = [full | lit | near, full | near, full]
+        fits = next((free for taken in off if (free := [i for i in fits if i not in taken])), fits)
         start = fits.index(usual) if usual in fits and not number else 0
         wall = _wall(room, item.wall, fits[start:] + fits[:start])
         spare = room.walls[wall].length - wide
@@ -128,6 +131,17 @@ def _wanted(reading: Reading, kind: str, usual: int, most: int) -> list[Wanted]:
         return [Wanted(2)]  # as many as the reader takes them for
     one = not several and any(o.det == "the" for o in spoken)
     return found or [Wanted(1 if one else min(max(usual, 1 + several), most))]
+
+
+def _near(room: Room, reading: Reading) -> set[int]:
+    """Return the walls that are not across from one that is told as the far one, and one that is told as the back one."""
+    found = set[int]()
+    for place in (place for link in reading.parsed.links for place in places(link.objects, "wall")):
+        told = {*place.words} & {"far", "back", "rear"}
+        there = [room.walls[i] for i in _meant(room, place)] if told else []
+        across = [w.index for w in room.walls if "far" in told and any(opposed(w.normal, one.normal) for one in there)]
+        found |= {w.index for w in room.walls if w.index not in across} if across else {one.index for one in there}
+    return found
 
 
 def _amid(reading: Reading) -> set[str]:
@@ -173,7 +187,9 @@ def _held_besides(
         yield [_meant(room, Place("wall", ("back",)))], there
     mirrors = [wishes.kinds[m.thing.noun.kind] for m in mentions(link.objects) if m.thing.noun.kind == "mirror"]
     if mirrors and link.relation == "front" and sum(m.count for m in link.subjects) > 2:  # chairs, each before its own
-        yield [_meant(room, Place("wall", ("long",)))], mirrors
+        along = (k for k in wishes.reading.parsed.links if named(k.subjects) & named(link.subjects))
+        told = [_meant(room, at) for k in along for at in places(k.objects, "wall") if at.words]
+        yield told or [_meant(room, Place("wall", ("long",)))], mirrors
     ends, doors = mentions(link.objects), places(link.objects, "door")
     hung = [k for k in wishes.reading.parsed.links if k.relation == "above" and named(k.objects) & named(link.subjects)]
     if hung and link.relation == "amid" and ends and all(m.opens for m in ends):
@@ -204,6 +220,12 @@ def _aside(room: Room, wall: int, along: float, wishes: RoomWishes, full: Set[in
     middle = {thing for subjects in across for thing in named(subjects)}
     if any(middle & named(link.objects) for link in links if link.relation in AT_SIDES):
         return 0.5
+    at = [k for k in links if k.relation in ("left", "right") and places(k.objects, "door")]
+    stands = (m for k in at for m in k.subjects if m.thing.category.on_floor)
+    wide = sum(m.count * wishes.kinds[wishes.kind(m.thing)].size[1] for m in stands)
+    aside = {link.relation for link in at} if wide > OPENINGS.flanked else set[str]()
+    if len(aside) == 1:  # most of the wall is on that side, seen from within
+        return max(along, 1.0 - along) if aside == {"left"} else min(along, 1.0 - along)
     told = _placed(room, wishes, "corner")
     corners = ((walls, kinds) for walls, kinds in told if len(walls) == 2)
     # a printer, too, on what bears it

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections import Counter
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 
 from robolayout.planners._added import LARGER, no_chairs
 from robolayout.planners._knowledge import DATA
@@ -108,10 +108,13 @@ def _people(wishes: RoomWishes, wished: dict[str, int], benches: int) -> int:
         adults = [name for name in wished if head(name) == "chair" and name != "kids chair"]
         chair = _chair(wishes)
         desks = sum(count for name, count in wished.items() if head(name) == "desk")
+        elsewhere = sum(thing.count for thing in _elsewhere(wishes.reading.parsed.links))
         named = sum(wished[name] for name in adults)
         seats = max(wishes.seats - benches, 0)
         if named <= desks:  # what is asked for stands at the desks
             wished[chair] = max(wished.get(chair, 0), desks) + seats
+        elif named == elsewhere:  # "a table for six and two chairs by the fire"
+            wished[chair] += seats
         elif named == 1:  # "a table for six, the host's chair at its head"
             wished[chair] = max(wished.get(chair, 0), seats)
     if wishes.reading.people:
@@ -120,7 +123,7 @@ def _people(wishes: RoomWishes, wished: dict[str, int], benches: int) -> int:
     taken |= {"computer"} if "desk" in taken else set()
     if "desk" in {head(name) for name in wished}:
         taken -= {"computer", "monitor"}  # two on a desk are of one person
-    if "desk" in taken and (wishes.seats or any(head(name) == "desk" for name in room.person.keys() & wished.keys())):
+    if "desk" in taken and (wishes.seats or any(head(name) == "desk" and not visits(name) for name in wished)):
         taken = {"desk"}  # who sits at the table also has a desk, and each of the other chairs is somebody else's
     tables = [(wishes.kinds[name], n) for name, n in wished.items() if room.tables and head(name) == "table"]
     seats = sum(count * (2 if max(kind.size[:2]) <= SIZES.for_two else 4) for kind, count in tables)
@@ -137,8 +140,16 @@ def _on_benches(wishes: RoomWishes) -> int:
 
 def _at_tables(links: Iterable[Link]) -> set[NamedThing]:
     """Return the seats that are asked to be at tables."""
-    at = (k for k in links if any(to.noun.kind.endswith(("table", "lab bench")) for to in named(k.objects)))
+    at = (
+        k for k in links if any(to.noun.kind.endswith(("table", "lab bench", "workbench")) for to in named(k.objects))
+    )
     return {mention.thing for link in at for mention in link.subjects if mention.sat_on}
+
+
+def _elsewhere(links: Sequence[Link]) -> set[NamedThing]:
+    """Return the chairs that are asked to be somewhere else than at tables."""
+    there = {m.thing for k in links if k.relation != "with" and k.objects for m in k.subjects}
+    return {thing for thing in there - _at_tables(links) if head(thing.noun.kind) == "chair"}
 
 
 def _at_a_counter(wished: Mapping[str, int]) -> bool:

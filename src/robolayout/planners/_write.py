@@ -166,7 +166,7 @@ class Writer:
             yield from self._fill(say["wall"], values)
         elif set(modes) <= {"wall", "corner"}:
             free = bound is not None and (self._leans(item) or name not in self.walled)
-            held = name in self._held and not free
+            held = item.role.name == "toilet" or (name in self._held and not free)  # its drain is there
             yield from self._fill(say["wall"], values, None if held else SAYING.only)
         else:
             yield from self._fill(say["middle"], values, bound)

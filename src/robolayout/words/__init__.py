@@ -10,8 +10,6 @@ from robolayout.words._function_words import WATCHING as WATCHING
 from robolayout.words._lexicon import Lexicon as Lexicon
 from robolayout.words._lexicon import dressing as dressing
 from robolayout.words._lexicon import grammar as grammar
-from robolayout.words._places import COMPASS as COMPASS
-from robolayout.words._places import walls_meant as walls_meant
 from robolayout.words._said import Link as Link
 from robolayout.words._said import Mention as Mention
 from robolayout.words._said import NamedThing as NamedThing
@@ -22,6 +20,9 @@ from robolayout.words._said import place_in as place_in
 from robolayout.words._said import places as places
 from robolayout.words._said import sides as sides
 from robolayout.words._tokens import Measure as Measure
+from robolayout.words._walls import COMPASS as COMPASS
+from robolayout.words._walls import opposed as opposed
+from robolayout.words._walls import walls_meant as walls_meant
 from robolayout.words._ways import AISLE as AISLE
 from robolayout.words._ways import BETWEEN_BEDS as BETWEEN_BEDS
 from robolayout.words._ways import CROWD as CROWD

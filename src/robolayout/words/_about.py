@@ -11,7 +11,7 @@ from robolayout.words import _function_words as small
 from robolayout.words._appositions import LISTED
 from robolayout.words._chunk import Chunk, opening_before
 from robolayout.words._references import References
-from robolayout.words._said import Item, Link, Mention, Place, mentions, named, place_in, place_of
+from robolayout.words._said import Item, Link, Mention, Place, mentions, named, place_in, place_of, sides
 from robolayout.words._ways import CROWD
 
 
@@ -136,6 +136,11 @@ class About(References):
             told = any((place.name, place.number) == (chunk.value, chunk.number) for place, _ in self.said.openings)
             if chunk.number > 1 and not told:
                 self.said.openings.append((place_of(chunk), (chunk.start, chunk.end)))
+        on_a_wall = [c.value for c in following] in (["on", "wall"], ["in", "wall"]) and sides(following[1])
+        if chunk.value in ("window", "door") and on_a_wall and not sides(chunk):  # "facing the window on the east wall"
+            self.at += 2
+            self._understood(*following)
+            return replace(place_of(chunk), words=on_a_wall)
         if chunk.value in ("side", "middle", "corner") and len(following) == 2 and following[0].value == "of":
             if following[1].kind in ("thing", "pron"):
                 self.at += 1
@@ -222,7 +227,7 @@ class About(References):
     def _at_sides(self, chunk: Chunk, subjects: Sequence[Mention], place: Place | None) -> bool:
         """Seats on the sides or at the ends of a table stand around it; other things at a side are on top of it or beside it."""
         held = [m.thing for m in self.holder if m.thing.head == "table"]  # "a table by a bar, with seats at the ends"
-        tables = held or [thing for thing in self.said.things if thing.head in ("table", "counter", "island")]
+        tables = held or [thing for thing in self.said.things if thing.has_sides or thing.head == "counter"]
         around = ("chair", "stool", "bench", "cushion", "armchair")
         seats = [m for m in subjects if m.thing.head in around]
         if not tables or not seats or named(subjects) - named(seats) - {tables[-1]}:
@@ -255,7 +260,7 @@ class About(References):
             return objects
         here = self._here
         far = here[-1:] if any(place_in(k.objects[:1], "wall") for k in here) else here[::-1]
-        at = [place for k in far if (place := place_in(k.objects[:1], "window", "door"))]
+        at = [place for k in (far or self.said.links[::-1]) if (place := place_in(k.objects[:1], "window", "door"))]
         return [replace(wall, words=(), by=("opposite", at[0])), *objects[1:]] if at else objects
 
     def _walls(self, subjects: list[Mention], place: Place) -> list[Mention]:
@@ -271,12 +276,15 @@ class About(References):
         there = [m for k in at for m in k.subjects if m.thing not in named(subjects)]
         if not {"opposite", "opposing"} & {*place.words}:
             return []
-        there = there or [m for m in (*self.recent, *self.group) if m.walled and m.thing not in named(subjects)][-1:]
+        spoken = (*self.targets, *self.recent, *self.group)
+        there = there or [m for m in spoken if m.walled and m.thing not in named(subjects)][-1:]
         self.said.missed += [] if there else [self._ahead(-1)]
         return there
 
     def _nearest(self, relation: str) -> list[Mention]:
         """Return what a relation right after a noun is about: small things "on" something all together, else the noun."""
+        if holder := self._holder_meant(relation):
+            return holder
         following = self._ahead().value
         others = [m for m in self.group if self._ahead().det != "the" or not m.thing.same(self._ahead())]
         self.group = others if others[1:] else self.group  # "a bed, a desk and a chair opposite the bed"
@@ -284,6 +292,7 @@ class About(References):
         hung = noun is not None and (noun.kind == "fireplace" or any("wall" in kind.places for kind in noun.categories))
         several = self.target is not None and self.target.several and not any(one.several for one in self.group)
         told = relation in ("by", "next", "near", "holds", *(("on", "wall") if following == "wall" and hung else ()))
+        told = told and not (hung and self.said.last.relation == "under")  # "a chest under the pegboard by the bench"
         borne = self.said.last.relation == "on" and self.target is not None and self.target.several and bool(self.group)
         borne = borne and self.group[-1].several and relation in small.ORDERS  # "computers on desks in three rows"
         told = told or borne or (relation == "rows" and several)  # "a lectern facing chairs in two rows"
@@ -321,6 +330,23 @@ class About(References):
             return list(self.group or self.subject)  # "fridge, stove and sink in a row"
         return laid or last
 
+    def _holder_meant(self, relation: str) -> list[Mention]:
+        """Return what bears or has the things before a relation, if that is what it is about."""
+        rel, last = self._ahead(-1), self.said.last
+        verb = {"form", *small.PLURAL_DOES} & {*rel.adjectives} and not self.relative
+        ordered = relation in small.ORDERS and bool(self.group) and self.group[0].thing.number == 1
+        if (verb or ordered) and self.every and len(self.group) == 1 and self._previous(rel) != ",":
+            return list(self.every[0])  # "chairs, each with a stand, form a circle"
+        if relation == "under" and last.relation == "on" and self.acted == [*last.subjects] and self.target is not None:
+            return [self.target] * (not self.target.topped)  # "weights on a rack under the mirror"
+        table, laid = self.group[-2:] if len(self.group) > 1 else (None, None)
+        if relation != "amid" or table is None or laid is None or not laid.topped:
+            return []
+        if table.several or table.thing.head not in small.TOPS:
+            return []
+        self._link(replace(rel, value="on"), [laid], [table])
+        return [table]  # "two chairs with a table and a tissue box between them"
+
     def _shared(self, relation: str) -> bool:
         """Return whether a relation after a list is about all of it: "a sofa and an armchair in the corner".
 
@@ -328,6 +354,8 @@ class About(References):
         thing has, and of three things that do not belong together, only the last one stands at a place.
         """
         *earlier, last = (mention.thing for mention in self.group)
+        if self.group[-1].sat_on and earlier[-1].people not in (0, last.count):
+            return False  # "a table for six and two chairs by the window"
         to = next((c for c in self.chunks[self.at :] if c.kind not in ("filler", "style")), Chunk("", 0, 0))
         again = to.kind == "pron" or any(thing.same(to) for thing in (*earlier, last))
         ends = to.kind in ("", "and", "comma", "stop")  # "a bed, a desk beneath"
@@ -387,7 +415,7 @@ class About(References):
         past = (
             previous.kind == "comma" and (back.kind == "pron" or back.value == "under") and self._ahead().kind != "pron"
         )
-        if past and self.holder and [*self.said.last.objects] == self.holder:
+        if past and self.holder and named(self.said.last.objects) == named(self.holder):
             return list(self.holder)  # "a vanity with a mirror above it, opposite the door"
         if previous.kind == "pron" and not self.relative:
             return list(self.before or self.subject) if not self.group else list(self.group)

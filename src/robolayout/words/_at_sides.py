@@ -13,13 +13,14 @@ from robolayout.assets import category_of
 from robolayout.assets.beneath import places_beneath
 from robolayout.constraints import AssetRef, PointRef, Relation, WallRef
 from robolayout.constraints.around import Around
-from robolayout.scene import Wall
+from robolayout.scene import Room, Wall
 from robolayout.words import _function_words as small
 from robolayout.words import _ways as ways_of
 from robolayout.words._gaps import HowFar
-from robolayout.words._places import COMPASS, Asked, openings_meant, opposed, walls_meant
+from robolayout.words._places import Asked
 from robolayout.words._rows import alike
 from robolayout.words._said import Link, Place, place_in
+from robolayout.words._walls import COMPASS, openings_meant, opposed, walls_meant
 from robolayout.words.demands import Demand, FreeDisc, Way, by_ways, single, stated
 
 SIDE_RELATIONS = {"front": "in_front_of", "left": "left_of", "back": "behind", "right": "right_of"}
@@ -61,6 +62,18 @@ def _looks(normal: tuple[float, float]) -> dict[str, tuple[float, float]]:
     return {"front": (x, y), "left": (-y, x), "back": (-x, -y), "right": (y, -x)}
 
 
+def on_one_wall(asked: Iterable[tuple[Link, Asked]], room: Room) -> dict[str, int]:
+    """Return what is asked to be on a wall that is told from the others, with the number of that wall."""
+    walls = ((it.subjects, walls_meant(room, it.place)) for _, it in asked if it.place and it.place.name == "wall")
+    return {name: told[0].index for names, told in walls if len(told) == 1 for name in names}
+
+
+def lit_between(asked: Iterable[tuple[Link, Asked]]) -> frozenset[str]:
+    """Return what has between it and others what is asked to be at a window."""
+    lit = {name for _, it in asked if it.place is not None and it.place.name == "window" for name in it.subjects}
+    return frozenset(b for link, it in asked if link.relation == "amid" and lit & {*it.subjects} for b in it.others)
+
+
 def in_corners(asked: Iterable[tuple[Link, Asked]]) -> dict[str, str]:
     """Return what is asked to be in a corner, with what is across from it: "a bed in one corner, a desk in the opposite one"."""
     found = dict[str, str]()
@@ -88,6 +101,9 @@ class AtSides(HowFar):
 
     parted: frozenset[str]
     """What is asked to opposite walls."""
+
+    hung: Mapping[str, int]
+    """What is asked onto one wall, with its number."""
 
     def _cleared(self, subjects: Sequence[str], place: str, metres: float) -> Iterator[Demand]:
         """Yield that so much floor, or what the body needs, is free at one of some sides of things: no thing stands there, and no wall."""
@@ -119,7 +135,8 @@ class AtSides(HowFar):
         """Furniture below a window, a picture, a lamp; what stands on the floor below what has room for it, near what has none."""
         below = self._asset(b).on_wall or self._asset(b).on_ceiling
         if below and not self._asset(b).on_floor:
-            return single(stated("above", AssetRef(b), AssetRef(a)))
+            at = [stated("against_wall", AssetRef(a), WallRef(self.hung[b]))] if b in self.hung else []
+            return Demand(((stated("above", AssetRef(b), AssetRef(a)), *at * self._asset(a).on_floor),))
         if self._asset(a).is_flat:
             return None
         near = stated("near", AssetRef(a), AssetRef(b), ways_of.AT_TABLE)
@@ -306,11 +323,12 @@ class AtSides(HowFar):
 
     def _otherside(self, it: Asked) -> Iterator[Demand]:
         """On the other side of the first of some things than the rest of them."""
-        b, *there = it.others
-        sides = self._sides_of(b)
-        yield Demand(
-            tuple((*self._at_side(one, it.subjects, b), *self._at_side(other, there, b)) for one, other in sides)
-        )
+        holders = it.groups[0] if it.groups and len(it.subjects) % len(it.groups[0]) == 0 else it.others[:1]
+        there = [name for name in it.others if name not in holders]
+        for i, b in enumerate(holders):  # "four desks, each with a chair on one side and a stool on the other"
+            own, rest = it.subjects[i :: len(holders)], there[i :: len(holders)]
+            sides = self._sides_of(b)
+            yield Demand(tuple((*self._at_side(one, own, b), *self._at_side(other, rest, b)) for one, other in sides))
 
     def _towards(self, way: str, a: str, b: str) -> Demand | None:
         """Return that one thing is north, or so, of another, which may stand with its back to any wall."""
@@ -388,13 +406,11 @@ class AtSides(HowFar):
             angles = ((ways_of.AT_HAND[relation] + self._looks(a)[0]) % 360.0,)
         at_walls = place.name == "wall"
         walls = [w.index for w in walls_meant(self.room, place)] if at_walls else [one.wall for one in openings]
-        side = round(min(depth, width) / 2 + ways_of.TOUCHING, 3)
         for number, wall in enumerate(walls):
             held = near[number : number + 1]
-            if relation == "sidelong":
-                held.append(stated("distance_constraint", AssetRef(a), WallRef(wall), None, side))
             for angle in angles:
-                yield (stated("align_with", AssetRef(a), WallRef(wall), angle), *held)
+                turned, *touching = self._lengthwise(a, WallRef(wall), angle)
+                yield (turned, *held, *touching) if relation == "sidelong" else (turned, *held)
 
     def _straight(self, subjects: Sequence[str], others: Sequence[str]) -> Iterator[Way]:
         """Yield how one seat is opposite several that have their place: "two armchairs by the fire, and a sofa facing them"."""

@@ -8,21 +8,29 @@ from dataclasses import replace
 from itertools import pairwise
 
 from robolayout.assets import category_of
-from robolayout.constraints import AssetRef, PointRef
+from robolayout.constraints import AssetRef, PointRef, WallRef
 from robolayout.constraints.between import BetweenTwo
-from robolayout.constraints.in_shape import InShape
 from robolayout.scene import Scene
 from robolayout.words import _function_words as small
 from robolayout.words import _ways as ways_of
-from robolayout.words._at_sides import AtSides, beside_doors, in_corners, on_walls_beside, parted
+from robolayout.words._at_sides import (
+    beside_doors,
+    in_corners,
+    lit_between,
+    on_one_wall,
+    on_walls_beside,
+    parted,
+)
+from robolayout.words._in_order import InOrder
 from robolayout.words._places import Asked
-from robolayout.words._rows import ToldRows, alike, in_rows, neighbours, on_a_wall
+from robolayout.words._rows import ToldRows, alike, neighbours
 from robolayout.words._said import Link, Mention, NamedThing, Place, mentions, named, place_in, places
 from robolayout.words._shelves import shelved
+from robolayout.words._walls import walls_meant
 from robolayout.words.demands import Demand, by_ways, single, stated
 
 
-class Demander(AtSides):
+class Demander(InOrder):
     """Turns links into demands on a scene."""
 
     def __init__(self, scene: Scene, names: Mapping[NamedThing, tuple[str, ...]], links: Sequence[Link]) -> None:
@@ -33,11 +41,14 @@ class Demander(AtSides):
         asked = [(link, self._asked(link)) for link in links]
         self.shelved = dict(shelved(scene.by_name, asked))
         self.parted = parted(asked)
-        self.cornered, self.beside = in_corners(asked), beside_doors(asked)
+        self.amid_lit = lit_between(asked)
+        self.cornered, self.beside, self.hung = in_corners(asked), beside_doors(asked), on_one_wall(asked, self.room)
         along = (it for _, it in asked if it.place is not None and it.place.at_one_wall)
         self.lined = {a for it in along for a in it.subjects}  # all at the same wall
         self.askew = {name for link, it in asked if link.relation == "diagonal" for name in it.subjects}
         twos = [(link.relation, *two) for link, it in asked for two in it.twos]
+        self.mirrors = {a: b for how, a, b in twos if how == "front" and self._into_a_mirror(a, b)}
+        self.huddled = {name for link, it in asked if link.relation == "huddle" for name in it.subjects}
         self.put = {a for _, a, _ in twos}  # what stands at another thing
         self.placed = self.put.union(a for _, it in asked if it.place is not None for a in it.subjects)
         self.below = {a: b for how, a, b in twos if how == "above" and self._is(a, small.WATCHED)}
@@ -138,6 +149,9 @@ class Demander(AtSides):
         share = share or not self.manned.isdisjoint(it.subjects)  # somebody sits between
         along = relation == "wall" and len(it.subjects) == 1  # "a bar along the window"
         under = (relation == "under" or along) and it.place.name == "window"
+        if it.place.name == "wall" and self.mirrors.keys() >= {*it.subjects}:
+            yield from self._before_mirrors(it.subjects, it.place)
+            return
         for place in it.places if relation in ("near", "next", "by") else [it.place]:
             yield from self._at_place(it.subjects, place, on=on, share=share, under=under)
 
@@ -155,27 +169,6 @@ class Demander(AtSides):
             return [(a, group[-1]) for a, group in zip(it.subjects, groups, strict=True)]
         of_rows = relation in small.ENDS and len(it.others) < 2
         return (replace(it, subjects=self.told.before(it.subjects, it.others) or it.subjects) if of_rows else it).twos
-
-    def _by_twos(self, it: Asked, relation: str) -> Iterator[Demand]:
-        """Yield what the second of every two is asked to be to the first; or how two rows of them are turned."""
-        if self.told.in_rows(it.subjects):
-            yield self.told.block(it.subjects)
-            return
-        if relation == "backs" and len(it.subjects) % 2 == 0 and alike(self.scene, it.subjects):
-            yield in_rows(it.subjects, 2, "paired")  # pairs one before the other would have no room before them
-            return
-        desks = relation == "mutual" and self._is(it.subjects[0], ("desk",))  # who sits there looks over its back
-        for a, b in zip(it.subjects[::2], it.subjects[1::2], strict=False):
-            amid = self.between.get(a, 0.0)
-            far = (("behind", amid, amid + ways_of.BESIDE), ("align_with", 180.0))
-            demand = by_ways((far,) if desks and amid else ways_of.BY_TWOS["mutual desks" if desks else relation], b, a)
-            deep = sum(self._asset(name).size[0] for name in (a, b)) / 2  # their fronts are the sides that meet
-            knees = (stated("distance_constraint", AssetRef(b), AssetRef(a), round(ways_of.KNEES + deep + amid, 3)),)
-            knees *= relation == "mutual" and self._is(a, small.SEATS)
-            yield Demand(tuple((*way, *knees) for way in demand.ways))
-            opens = category_of(self._asset(a)).open_depth > 0 and not self._is(a, small.TOPS)
-            if relation == "mutual" and opens:  # wardrobes have their backs to walls
-                yield from (single(stated("against_wall", AssetRef(name))) for name in (a, b))
 
     def _on_each(self, a: str, b: str) -> Demand:
         """A thing rests on another: a rug lies below what stands on it; what stands on the floor is flush with a counter that it is in."""
@@ -197,7 +190,7 @@ class Demander(AtSides):
             return single(stated("point_towards", AssetRef(b), AssetRef(a)))
         asset = self._asset(a)
         beside = asset.on_floor or self._is(b, small.SLEPT_ON)
-        if asset.on_object and (not beside or (a, b) in self.shelved or self._is(b, small.TOPS)):
+        if asset.on_object and (not beside or (a, b) in self.shelved or self._is(b, (*small.TOPS, "wall shelf"))):
             return self._on_each(a, b)
         if self._is(a, small.SEATS) and self._is(b, ("desk", "counter", "island")):
             across = (b in self.manned and ways_of.visits(asset.category)) or any(a == two for _, two in self.opposed)
@@ -211,7 +204,7 @@ class Demander(AtSides):
         if it.sided == "outer" and it.others[1:]:
             yield self._outside(it)
             return
-        if any({*two} <= {*it.subjects} for two in self.opposed) and (before := self._front(it)):
+        if self._opposed(it.subjects) and (before := self._front(it)):
             yield from before  # "two armchairs flanking a fireplace, facing each other"
             return
         by: dict[str, list[str]] = {}
@@ -250,10 +243,6 @@ class Demander(AtSides):
             return demand
         return Demand((*by_ways(ways_of.ABREAST, a, before).ways, *demand.ways))
 
-    def _sits_behind(self, a: str, b: str) -> bool:
-        """Return whether who sits on a thing that is behind another uses that from there."""
-        return self._is(a, small.SEATS) and self._is(b, ("desk", "counter")) and not self._is(b, ("reception desk",))
-
     def _ways(self, relation: str, a: str, b: str) -> ways_of.Ways:
         """Return what a relation asks for; before a desk behind which somebody sits is the other side of it, where one looks at it."""
         if relation in ("end", "foot") and self._only_wall(a):  # "a screen on the wall at one end of the table"
@@ -278,12 +267,17 @@ class Demander(AtSides):
             return ways_of.TO_ANOTHER[relation]
         return (ways_of.ACROSS_A_DESK[0 if self._is(a, small.SEATS) else 1],)
 
-    def _told(self, a: str, b: str) -> float:
-        """Return the most metres that are told to lie between two things, 0 where none are."""
-        return min(self.metres.get((a, b), (0.0, 0.0))[1], ways_of.ACROSS)
-
     def _into_a_mirror(self, a: str, b: str) -> bool:
         return self._is(a, (*small.SEATS, "treadmill")) and self._is(b, ("mirror",))
+
+    def _before_mirrors(self, subjects: Sequence[str], place: Place) -> Iterator[Demand]:
+        """Yield that chairs are near the wall on which their mirrors hang: "along the wall, each in front of a mirror"."""
+        for a in subjects:
+            ref, most = AssetRef(a), round(ways_of.INTO[1] + self._asset(a).size[0], 2)
+            walls = [WallRef(wall.index) for wall in walls_meant(self.room, place)]
+            hung = [stated("mounted_on", AssetRef(self.mirrors[a]), wall) for wall in walls]
+            near = [stated("distance_constraint", ref, wall, None, most) for wall in walls]
+            yield Demand(tuple(zip(hung, near, strict=True)))
 
     def _opposite(self, it: Asked) -> Iterator[Demand]:
         """Across from a thing, seats that look there side by side; from a place, looking at it."""
@@ -321,11 +315,15 @@ class Demander(AtSides):
             turn = (180.0 + across - self._looks(subjects[0])[0]) % 360.0  # a crowd looks one way
             yield from (single(stated("align_with", AssetRef(a), AssetRef(others[0]), turn)) for a in subjects)
             return
+        flat = [b for b in others if len(others) == 1 < len(it.subjects) and self._asset(b).is_flat]
         for i, a in enumerate(subjects):
             meant = [others[i]] if len(others) == len(subjects) else others
             targets = [AssetRef(b) for b in meant if b != a] if others else self._points(it.place)
             angles = self._looks(a)[: 1 if a in self.looking else 2]
-            looks = ((stated("point_towards", AssetRef(a), b, angle),) for b in targets for angle in angles)
+            # straight before the middle of rows that lie there
+            before = [stated("in_front_of", AssetRef(b), AssetRef(a), 0.0, ways_of.AT_THE_FRONT) for b in flat]
+            before += [stated("centered_on", AssetRef(b), AssetRef(a), "side") for b in flat]
+            looks = ((stated("point_towards", AssetRef(a), b, angle), *before) for b in targets for angle in angles)
             ways = [*self._straight(subjects, others), *self._to_openings(a, it.place, angles), *looks]
             if len(others) == len(subjects) > 1 and self._into_a_mirror(a, others[i]):
                 ways = [*by_ways(ways_of.BEFORE_A_MIRROR, a, others[i]).ways]
@@ -334,6 +332,8 @@ class Demander(AtSides):
                 ways = [(stated("align_with", AssetRef(a), AssetRef(others[0]), turn),), *ways]
             if i and ways and not others:  # side by side before one window
                 ways = [*by_ways(ways_of.ABREAST, a, subjects[0]).ways, *ways]
+            if len(others) == 1 < len(subjects) and self._is(a, small.SLEPT_ON):  # two beds side by side, and a dresser
+                ways.append((stated("align_with", AssetRef(a), AssetRef(others[0]), 180.0),))
             if ways:
                 yield Demand(tuple(ways))
 
@@ -346,69 +346,6 @@ class Demander(AtSides):
             to = [AssetRef(b) for b in it.others] or self._points(it.place)
             return [*self.told.opening(it.subjects, to)]
         return []
-
-    def _row(self, it: Asked) -> Iterator[Demand]:
-        """Side by side: alike things in one line, others each at a side of the one before, turned the same way."""
-        if alike(self.scene, it.subjects) and not self.told.flanked & {*it.subjects}:
-            yield self.told.block(it.subjects)
-            return
-        if not any(self._asset(a).on_floor for a in it.subjects):
-            yield from self._huddle(it)
-        for before, a in pairwise(it.subjects):
-            if self._asset(a).on_floor:
-                yield by_ways(((("next_to", "beside", ways_of.BACK), ("align_with",)),), a, before)
-
-    def _chained(self, it: Asked, relation: str) -> Iterator[Demand]:
-        """Each to the one before it; mats side by side are a row, which nothing else keeps from lying on each other."""
-        same = alike(self.scene, it.subjects) and self._asset(it.subjects[0]).on_floor
-        if relation == "abreast" and same and self._asset(it.subjects[0]).is_flat:
-            yield in_rows(it.subjects, 1)
-            return
-        if relation == "stacked" and all(map(self._only_wall, it.subjects)):
-            relation = "tiered"  # pictures on top of each other
-        elif relation == "crossed" and self._is(it.subjects[0], small.SEATS):
-            relation = "ell"  # two sofas at a right angle belong together
-        elif relation == "abreast" and self.told.flanked & {*it.subjects}:
-            relation = "abreast apart"
-        elif relation == "abreast" and not same:
-            relation = "together"
-        ways, middle = self.told.chained(relation, it.subjects[0]), len(it.subjects) // 2
-        chains = (it.subjects[middle::-1], it.subjects[middle:]) if relation == "abreast" else (it.subjects,)
-        yield from (by_ways(ways, b, a) for chain in chains for a, b in pairwise(chain))
-
-    def _rows(self, it: Asked) -> Iterator[Demand]:
-        """Like things stand in a block, in so many rows if that is said; others near each other."""
-        yield from [self.told.block(it.subjects)] if alike(self.scene, it.subjects) else self._huddle(it)
-
-    _columns = _rows
-
-    def _circle(self, it: Asked) -> Iterator[Demand]:
-        """At least three like things stand in a circle, a half circle or a U; others near each other."""
-        yield from [self.told.block(it.subjects)] if {*it.subjects} <= {*self.told.shape} else self._huddle(it)
-
-    _halfcircle = _ushape = _circle
-
-    def _groups(self, it: Asked) -> Iterator[Demand]:
-        """Some here, some there: desks with their backs to each other, seats in circles, others near each other."""
-        for part in self.told.groups(it.subjects):
-            if self._is(part[0], small.SEATS) and len(part) > 2 and alike(self.scene, part):
-                yield single(InShape(tuple(map(AssetRef, part)), "circle"))
-            else:
-                yield from self._huddle(Asked(part))
-
-    _shares = _groups
-
-    def _huddle(self, it: Asked) -> Iterator[Demand]:
-        """Each near another one; what hangs on walls, on one of them; desks as an island."""
-        if all(map(self._only_wall, it.subjects)):
-            yield from on_a_wall(it.subjects, self.room)
-        elif self._is(it.subjects[0], ("desk",)) and alike(self.scene, it.subjects):
-            yield in_rows(it.subjects, min(2, len(it.subjects) // 2), "paired")
-        else:
-            for number, a in enumerate(it.subjects[1:], 1):
-                beside = [*reversed(it.subjects[:number]), *it.subjects[number + 1 :]]
-                if self._asset(a).on_floor or not self._asset(a).on_object:
-                    yield single(*(stated("near", AssetRef(a), AssetRef(b), ways_of.BACK) for b in beside))
 
     def _seen(self, it: Asked) -> Iterator[Demand]:
         for i, b in enumerate(it.others):  # "visible from the bed and from the sofa"

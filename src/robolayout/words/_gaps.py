@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence, Set
+from collections.abc import Iterator, Mapping, Sequence, Set
 from dataclasses import replace
 from itertools import pairwise, product
 
@@ -11,8 +11,9 @@ from robolayout.constraints import AssetRef, PointRef, Relation, WallRef
 from robolayout.scene import ROUNDING
 from robolayout.words import _function_words as small
 from robolayout.words import _ways as ways_of
-from robolayout.words._places import Asked, AtPlaces, walls_meant
+from robolayout.words._places import Asked, AtPlaces
 from robolayout.words._rows import alike, in_rows
+from robolayout.words._walls import walls_meant
 from robolayout.words.demands import Demand, EdgeGap, Way, stated
 
 
@@ -21,6 +22,17 @@ class HowFar(AtPlaces):
 
     lined: Set[str]
     """What stands in one line."""
+
+    metres: Mapping[tuple[str, str], tuple[float, float]]
+    """Least and most metres that are told to lie between two things."""
+
+    def _told(self, a: str, b: str) -> float:
+        """Return the most metres that are told to lie between two things, 0 where none are."""
+        return min(self.metres.get((a, b), (0.0, 0.0))[1], ways_of.ACROSS)
+
+    def _sits_behind(self, a: str, b: str) -> bool:
+        """Return whether who sits on a thing that is behind another uses that from there."""
+        return self._is(a, small.SEATS) and self._is(b, ("desk", "counter")) and not self._is(b, ("reception desk",))
 
     def _apart(self, it: Asked, metres: tuple[float, float]) -> Iterator[Demand]:
         """So many metres between the edges of two things, or of a thing and a place; "at least" holds for each such place."""

@@ -178,7 +178,7 @@ def _where(link: Link) -> str:
     """Return where a relation puts its subject: "floor", "wall", "ceiling", "object", or "" where it does not matter."""
     to = link.objects[0] if link.objects else None
     if isinstance(to, Place) and to.name in ("corner", "window", "door", "middle"):
-        return "floor"
+        return "wall" if link.relation == "above" else "floor"  # "a clock above the door"
     if isinstance(to, Place) and to.name in ("wall", "ceiling"):
         hung = link.relation in ("on", "hanging", "in", "aloft")
         return "ceiling" if to.name == "ceiling" else "wall" if hung else "floor" if link.relation == "wall" else ""

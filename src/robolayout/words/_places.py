@@ -6,105 +6,28 @@ import math
 import operator
 from collections.abc import Iterable, Iterator, Sequence, Set
 from dataclasses import dataclass, replace
-from itertools import combinations, product
+from itertools import combinations, permutations, product
 
 from robolayout.constraints import AssetRef, PointRef, Relation, WallRef
 from robolayout.constraints.corner import convex_corners
-from robolayout.scene import Asset, Opening, Room, Scene, Wall
+from robolayout.scene import Asset, Opening, Scene
 from robolayout.words import _function_words as small
 from robolayout.words import _ways as ways_of
 from robolayout.words._halves import floor_point, half_aside, halves_meant, rectangle
 from robolayout.words._lexicon import grammar
 from robolayout.words._rows import ToldRows, alike, in_rows
-from robolayout.words._said import Place, sides
+from robolayout.words._said import Place
+from robolayout.words._walls import (
+    across,
+    centre,
+    corner_of,
+    corners_meant,
+    meet,
+    openings,
+    openings_meant,
+    walls_meant,
+)
 from robolayout.words.demands import Demand, Way, single, stated
-
-COMPASS = {"north": (0.0, -1.0), "south": (0.0, 1.0), "east": (-1.0, 0.0), "west": (1.0, 0.0)}
-"""Inward normals of walls by name, as on a plan: north is up."""
-
-SAME = 0.05
-"""Metres by which walls that count as equally long may differ."""
-
-
-def walls_meant(room: Room, place: Place) -> list[Wall]:
-    """Return the walls that the words may mean, all walls where nothing tells them apart."""
-    walls: list[Wall] = []
-    for one in place.apart:
-        meant = list(room.walls)
-        for word in one.words:
-            meant = _told(meant, grammar().walls.get(word, word), room) or meant
-        walls += [wall for wall in meant if wall not in walls]
-    if place.by is None or place.by[1].name not in ("door", "window"):
-        return walls
-    how, by = place.by
-    if how == "with":
-        return _told(walls, by.name, room) or walls
-    own = _told(list(room.walls), by.name, room)
-    return [wall for wall in walls if any(_across(wall, other) for other in own)] or walls
-
-
-def _told(walls: list[Wall], word: str, room: Room) -> list[Wall]:
-    """Return the walls of which an adjective is true, or that have an opening: "the window wall"."""
-    if word in ("window", "door"):
-        return [wall for wall in walls if wall.index in {opening.wall for opening in openings(room, word)}]
-    if word in ("windowless", "doorless"):
-        holes = room.windows if word == "windowless" else room.doors
-        return [wall for wall in walls if wall.index not in {opening.wall for opening in holes}]
-    if word in ("long", "short"):
-        wanted = (max if word == "long" else min)(wall.length for wall in room.walls)
-        return [wall for wall in walls if abs(wall.length - wanted) <= SAME]
-    if word == "side":
-        return [wall for wall in walls if abs(wall.normal[0]) > math.sqrt(0.5)]
-    if word in COMPASS:
-        nx, ny = COMPASS[word]
-        return [wall for wall in walls if wall.normal[0] * nx + wall.normal[1] * ny > math.sqrt(0.5)]
-    return []
-
-
-def _across(one: Wall, two: Wall) -> bool:
-    return opposed(one.normal, two.normal)
-
-
-def opposed(one: tuple[float, float], two: tuple[float, float]) -> bool:
-    """Return whether two unit vectors point more against than across each other."""
-    return one[0] * two[0] + one[1] * two[1] < -math.sqrt(0.5)
-
-
-def _meet(one: Wall, two: Wall) -> bool:
-    """Return whether two walls meet in a corner."""
-    return one is not two and not {one.start, one.end}.isdisjoint((two.start, two.end))
-
-
-def corners_meant(room: Room, place: Place) -> list[int]:
-    """Return the corners that the words mean, all where nothing tells them apart."""
-    x, y = centre(room)
-    normals = [COMPASS[wall] for word in place.words if (wall := grammar().walls.get(word, "")) in COMPASS]
-    found, at = list(convex_corners(room)), room.vertices
-    meant = [i for i in found if all((at[i][0] - x) * nx + (at[i][1] - y) * ny < 0 for nx, ny in normals)] or found
-    if place.by is None:
-        return meant
-    how, by = place.by
-    middles = [room.walls[opening.wall].point(opening.center) for opening in openings(room, by.name)]
-    away = {i: min((math.dist(at[i], middle) for middle in middles), default=0.0) for i in meant}
-    several = place.det == "each" or place.plural or how == "across"  # "in each corner opposite the door"
-    return sorted(away, key=lambda i: away[i], reverse=how != "near")[: 1 + several]
-
-
-def centre(room: Room) -> tuple[float, float]:
-    """Return the middle of the room's bounds in metres."""
-    x0, y0, x1, y1 = room.bounds
-    return (round((x0 + x1) / 2, 3), round((y0 + y1) / 2, 3))
-
-
-def openings_meant(room: Room, place: Place) -> tuple[Opening, ...]:
-    """Return the doors or windows that words mean, all where nothing tells them apart."""
-    found, walls = openings(room, place.name), walls_meant(room, Place("wall", sides(place)))
-    return tuple(opening for opening in found if opening.wall in {wall.index for wall in walls}) or found
-
-
-def openings(room: Room, kind: str) -> tuple[Opening, ...]:
-    """Return the doors or the windows of a room."""
-    return room.doors if kind == "door" else room.windows
 
 
 @dataclass(frozen=True)
@@ -153,6 +76,8 @@ class AtPlaces:
     def __init__(self, scene: Scene) -> None:
         self.scene, self.room = scene, scene.room
         self.cornered = dict[str, str]()  # what is asked to be in a corner, perhaps one by a window, and what is across
+        self.between = dict[str, float]()  # what has something between it and others, with the metres that this takes
+        self.amid_lit = frozenset[str]()  # what has between it and others what is asked to be at a window
         self.surrounded = frozenset[str]()  # what touches no wall: seats are all around it, or something is behind it
 
     def _asset(self, name: str) -> Asset:
@@ -178,12 +103,45 @@ class AtPlaces:
     def _at_walls(self, subjects: Sequence[str], there: Sequence[str], place: Place, *, on: bool) -> Iterator[Way]:
         """Yield the ways in which things are at the wall where others are, or at the one across from it."""
         meeting = not small.ADJOINING.isdisjoint(place.words)
-        fits = operator.is_ if "same" in place.words else _meet if meeting else _across
+        fits = operator.is_ if "same" in place.words else meet if meeting else across
         for one in self.room.walls:
             for two in self.room.walls:
                 if fits(one, two):
                     both = [*((a, one) for a in there), *((a, two) for a in subjects)]
                     yield tuple(stated(self._held(a, on), AssetRef(a), WallRef(wall.index)) for a, wall in both)
+
+    def _beds_along(self, beds: Sequence[str], half: int) -> Iterator[Way]:
+        """Yield the ways in which beds are along two opposite walls, half of them at each, headed alike.
+
+        With something between them at a window they are at its wall, too, with their heads or a side.
+        """
+        if not all(self._is(a, small.SLEPT_ON) for a in beds):
+            return
+        lit = [self.room.walls[i] for i in sorted({one.wall for one in openings(self.room, "window")})]
+        for one, two in ((one, two) for one, two in permutations(self.room.walls, 2) if across(one, two)):
+            at = [(a, WallRef((one if i < half else two).index), i < half) for i, a in enumerate(beds)]
+            along = [
+                [said for a, wall, first in at for said in self._lengthwise(a, wall, turn if first else 360.0 - turn)]
+                for turn in (90.0, 270.0)
+            ]
+            for light in lit if self.amid_lit >= {*beds} else ():
+                if meet(light, one) and meet(light, two):
+                    by = WallRef(light.index)
+                    heads = [stated("against_wall", AssetRef(a), by) for a in beds]
+                    ends = [corner_of(light, wall) for wall in (one, two)]
+                    yield (*heads, *(stated("corner", AssetRef(a), i) for a, i in zip(beds, ends, strict=False)))
+                    backs = [stated("against_wall", AssetRef(a), wall) for a, wall, _ in at]
+                    if light.length > ways_of.ACROSS_BEDS + sum(sorted(self._asset(a).size[0] for a in beds)[-2:]):
+                        yield (*backs, *(self._lengthwise(a, by, 0.0)[1] for a in beds))
+            yield from map(tuple, () if self.amid_lit >= {*beds} else along)
+
+    def _lengthwise(self, a: str, wall: WallRef, angle: float) -> Way:
+        """Return that a thing has one of its long sides at a wall, turned so from it."""
+        side = round(min(self._asset(a).size[:2]) / 2 + ways_of.TOUCHING, 3)
+        return (
+            stated("align_with", AssetRef(a), wall, angle),
+            stated("distance_constraint", AssetRef(a), wall, None, side),
+        )
 
     def _at_place(
         self, subjects: Sequence[str], place: Place, *, on: bool = False, share: bool = False, under: bool = False
@@ -192,9 +150,12 @@ class AtPlaces:
         opposite = "opposite" in place.words or (place.det == "both" and not place.words)  # "benches along both walls"
         together = "same" in place.words or (place.plural and (opposite or not small.ADJOINING.isdisjoint(place.words)))
         corners = corners_meant(self.room, place) if place.name == "corner" else []
+        every = place.det in ("each", "both", "all")
         if place.name == "wall" and together and len(subjects) > 1 and "middle" not in place.words:
             half = (len(subjects) + 1) // 2  # at one wall, or one half at each of two
-            yield Demand(tuple(self._at_walls(subjects[half:], subjects[:half], place, on=on)))
+            along = [*self._beds_along(subjects, half)] if opposite else []
+            ways = self._at_walls(subjects[half:], subjects[:half], place, on=on)
+            yield Demand((*along,) if along and self.amid_lit >= {*subjects} else (*ways, *along))
         elif place.name == "side" and {"opposite", "opposing"} & {*place.words} and len(subjects) > 1:
             half = (len(subjects) + 1) // 2  # one half of them in each half of the room
             yield Demand(
@@ -204,12 +165,14 @@ class AtPlaces:
                     for sides in [[next(halves_meant(self.room, Place("side", (end,)))) for end in (one, other)]]
                 )
             )
-        elif (
-            corners and len(subjects) > 1 and not (place.plural or place.number or place.det in ("each", "both", "all"))
-        ):
-            first, *rest = (AssetRef(a) for a in sorted(subjects, key=lambda a: -self._asset(a).size[1]))
-            near = [stated("near", ref, first, ways_of.BESIDE) for ref in rest]  # "two armchairs in the corner"
-            yield Demand(tuple((*way, *near) for way in self._ways_at(first.name, place, on=on, share=share)))
+        elif corners and len(subjects) > 1 and not (place.plural or place.number or every):
+            wide = max(self._asset(a).size[1] for a in subjects)
+            ways = list[Way]()
+            for a in (a for a in subjects if self._asset(a).size[1] == wide):  # "two armchairs in the corner"
+                gap = ways_of.BESIDE + self.between.get(a, 0.0)  # "with a table between them"
+                near = [stated("near", AssetRef(b), AssetRef(a), gap) for b in subjects if b != a]
+                ways += [(*way, *near) for way in self._ways_at(a, place, on=on, share=share)]
+            yield Demand(tuple(ways))
         elif len(corners) == len(subjects) > 1:
             yield from (single(stated("corner", AssetRef(a), i)) for a, i in zip(subjects, corners, strict=True))
         elif place.name == "window" and self._too_many(subjects, place, on=on, under=under):
@@ -220,8 +183,7 @@ class AtPlaces:
             row = len(subjects) > 2 and alike(self.scene, subjects)
             yield from [in_rows(subjects, 1, gap=self.told.apart.get(subjects[0], 0.0))] if row else []
         else:
-            each = place.name in ("window", "door") and place.det in ("each", "both", "all")
-            each = each and len(openings_meant(self.room, place)) == len(subjects)  # "curtains on both windows"
+            each = every and place.name in ("window", "door") and len(openings_meant(self.room, place)) == len(subjects)
             walls = place.apart
             many = len(subjects) if place.name == "wall" and len(subjects) >= len(walls) else 0
             to = [walls[i * len(walls) // many] if many else place for i in range(len(subjects))]
@@ -231,7 +193,7 @@ class AtPlaces:
             told = walls_meant(self.room, place) if place.name == "wall" else []
             # "beds along the side walls"
             two = place.plural and {"long", "short", "side"} & {grammar().walls.get(word) for word in place.words}
-            few = len(told) if two or place.det in ("each", "both", "all") else place.number or 0
+            few = len(told) if two or every else place.number or 0
             if 1 < few <= min(len(subjects), len(told)):  # "shelves on both long walls": each of them has some
                 some = subjects[:: len(subjects) // few][:few]
                 sets = [zip(some, walls, strict=True) for walls in combinations(told, few)]
@@ -313,7 +275,8 @@ class AtPlaces:
 
     def _ways_at_a_wall(self, a: str, place: Place, *, on: bool) -> Iterator[Way]:
         """Yield the ways in which a thing is at one of the walls that are meant and long enough, or in the middle of one."""
-        if self._is(a, ("reception desk",)):  # with room for who sits behind it
+        backed = a in self.surrounded and self._is(a, ("counter",))  # "a bar on the left wall, with shelves behind it"
+        if backed or self._is(a, ("reception desk",)):  # with room for who sits behind it
             yield from self._ways_before_a_wall(a, place)
             return
         middle = "middle" in place.words

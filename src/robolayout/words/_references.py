@@ -111,11 +111,16 @@ class References(Spoken):
         fits = [t for t in fits if t.same_words(chunk)] or [t for t in fits if t not in more]
         fits = [t for t in fits if not t.differs(chunk)]
         fits = [t for t in fits if {*chunk.adjectives} & {*t.adjectives, *t.told}] or fits
+        single = chunk.det == "the" and not chunk.plural and chunk.number is None
+        fits = [t for t in fits if single and t.count == 1] or fits  # "an office chair and two guest chairs: the chair"
         last, number = fits[-1] if fits else None, chunk.number
         if last is not None and chunk.level and chunk.det != "a" and last.count == 1 and not last.definite:
             return last  # "the second shelf" of the one unit
         if last is None or not self._has_so_many(last, chunk.det):
             return None
+        other_kind = last.noun.kind != chunk.noun.kind and self._ahead(-2).kind == "with" and chunk.det == "the"
+        if other_kind and any(last in named((*k.subjects, *k.objects)) for k in self.said.links):
+            return None  # "two armchairs by the window, a desk with its chair"
         said = {word.removesuffix("s") for word in (*chunk.adjectives, *chunk.noun.said.split())}
         alike, one = last.same_words(chunk), number == 1 and not chunk.det
         owned = {word.removesuffix("s") for word in chunk.adjectives} if alike else said
@@ -158,12 +163,16 @@ class References(Spoken):
 
     def _alone(self, mention: Mention, *, joined: bool) -> bool:
         """Return whether a new clause begins with a thing: "..., and a rack stands at the wall"."""
-        rest = dropwhile(lambda c: c.kind in ("with", "thing", "style", "and"), self.chunks[self.at :])
-        following = next(rest, NOTHING)  # "..., and a table with a lamp stands at the wall"
+        rest = [*dropwhile(lambda c: c.kind in ("with", "thing", "style", "and"), self.chunks[self.at :]), NOTHING]
+        among = [c.kind for c in rest[:2]] == ["rel", "pron"]  # "two chairs with a table between them sit in a corner"
+        following = rest[2 * among]  # "..., and a table with a lamp stands at the wall"
         starts = self._ahead(-2).kind in ("and", "comma")
         last = (*self.group[-1:], mention)  # "..., and the desk and the bed should be near the window"
         again = [bool(one.thing.spans[1:]) for one in last] == [False, True] or not joined
         plural = again and following.kind == "verb" and following.value in small.FINITE
+        stood = self._ahead(len(self.chunks[self.at :]) - len(rest) + 2 + 2 * among).value  # what follows the verb
+        if joined and self.having and mention.topped and stood in ("opposite", "wall"):
+            return False  # "a counter with a kettle and a toaster is opposite"
         alone = following.value in small.ALONE_DOES and (mention.thing.count == 1 if joined else starts)
         alone = alone or (plural and starts)
         self.subject, self.acted = ([], []) if alone else (self.subject, self.acted)
@@ -197,14 +206,8 @@ class References(Spoken):
 
     def _led_back(self, relation: str) -> Sequence[Item]:
         """Return what a relation leads to where nothing is named: "a loft bed with a desk underneath", "a bed on the left"."""
-        if relation == "opposite":  # of a single seat, bed or desk: "a bed ..., a mirror on the wall opposite"
-            faced = self._last_of(("desk", "island", *small.SEATS, *small.SLEPT_ON, *small.WATCHED), named(self.about))
-            foot = [k.objects for k in self.said.links if k.relation == "foot" and named(faced) & named(k.subjects)]
-            faced = mentions(foot[-1]) if foot else faced  # a bench at the foot of a bed
-            faced = [m for m in faced if not m.several]
-            here = [k.subjects for k in self._here if k.relation != "with"][-1:]
-            # "a washer and a dryer along a wall, an ironing board opposite"
-            return faced or [m for each in here for m in each[:1] if m.thing not in named(self.about)]
+        if relation == "opposite":
+            return self._faced()
         reach = self._ahead(-1).adjectives[-1:] == ("reach",)  # "a lamp and a side table within reach"
         heads = {"end": small.TOPS, "foot": small.SLEPT_ON, "near": small.REACHED_FROM if reach else ()}
         if relation in heads and (found := self._last_of(heads[relation], named(self.about))):
@@ -215,8 +218,9 @@ class References(Spoken):
         if relation == "above" and last.relation in ("abreast", "row") and last.start >= self.began:
             return [m for m in last.subjects if m.thing not in named(self.about)]  # "side by side, shelves above"
         side, of = self.contrast
-        if side == relation and of:  # "to the left of the board is a shelf with boxes, to the right a cabinet"
-            return of
+        half = [Place("side", (relation,))] if self._of_the_other_half(relation) else []
+        if told := of if side == relation and of else half:
+            return told  # "to the left of the board is a shelf with boxes, to the right a cabinet"
         if self.holder or relation not in ("left", "right"):  # "a side table within reach and a lamp behind"
             same = self.led if not named(self.led) & named(self.about) else []
             return self.holder or same or self._meant("it", relation)
@@ -229,6 +233,22 @@ class References(Spoken):
         if not of and all(mention.thing.noun.kind == "night stand" for mention in self.about):
             of = self._last_of(small.SLEPT_ON, named(self.about))  # "a bed, a desk, one night stand on the right"
         return of or [Place("side", (relation,))]
+
+    def _faced(self) -> list[Mention]:
+        """Return what a thing is opposite to where nothing is named: a single seat, bed or desk, "a mirror on the wall opposite"."""
+        faced = self._last_of(("desk", "island", *small.SEATS, *small.SLEPT_ON, *small.WATCHED), named(self.about))
+        foot = [k.objects for k in self.said.links if k.relation == "foot" and named(faced) & named(k.subjects)]
+        faced = mentions(foot[-1]) if foot else faced  # a bench at the foot of a bed
+        faced = [m for m in faced if not m.several]
+        here = [k.subjects for k in self._here if k.relation != "with"][-1:]
+        # "a washer and a dryer along a wall, an ironing board opposite"
+        here = here or [self.before]  # "A sofa is at the wall. A desk is opposite."
+        return faced or [m for each in here for m in each[:1] if m.thing not in named(self.about)]
+
+    def _of_the_other_half(self, relation: str) -> bool:
+        """Return whether a side is that of the room: "on the left a sofa with a table at each end, on the right a desk"."""
+        other = (small.OTHER_SIDE.get(relation, ""),)
+        return any(place.words == other for k in self.said.links for place in places(k.objects[:1], "side"))
 
     def _held_by(self, chunk: Chunk, subjects: list[Mention], objects: list[Item]) -> tuple[list[Mention], list[Item]]:
         """Return what a relation is about and leads to, where that is not what a thing has but the thing itself."""
@@ -309,7 +329,8 @@ class References(Spoken):
             for mention in subjects:
                 owned = isinstance(item, Mention) and item.thing is mention.thing
                 dealt = mention.thing in self.dealt or mention.pick is not None  # "two lamps, one in each corner"
-                if mention.thing.uncounted and mention.thing.head in small.OWN_ONE and item.det == "each":
+                one = mention.thing.head in small.OWN_ONE or place_in([item], "corner")  # "plants in every corner"
+                if mention.thing.uncounted and one and item.det == "each":
                     mention.thing.number = 1  # "beds with desks at the foot of each"
                 if mention.thing.times == 1 and not owned and not dealt:
                     mention.thing.times = count * (2 if mention.per_side(chunk) else 1)

@@ -425,9 +425,13 @@ class Relating(Spaces):
             self.holder, self.group, self.verb = subjects[:1], moved, False  # "flanked by a lamp on the left and ..."
             self._understood(chunk)
         elif moved and subjects:
-            named = Chunk("rel", chunk.start, chunk.end, small.REVERSED[chunk.value])
+            filled = subjects[0].thing.head == "bookshelf" and not {"filled", "full", "stocked"}.isdisjoint(
+                chunk.adjectives
+            )
+            named = Chunk("rel", chunk.start, chunk.end, "in" if filled else small.REVERSED[chunk.value])
             each = chunk.value == "holds" and subjects[0].det == "each"  # "each holding a lamp and a clock"
             for together in [[mention] for mention in moved] if each else [moved]:
                 self._link(named, together, list(subjects))
+            self.target = None if filled else self.target
             held = chunk.value == "holds" and self._ahead().kind == "rel" and self._ahead().value != "on"
             self.group = self.acted = list(subjects) if held else moved  # "a shelf full of toys along the wall"

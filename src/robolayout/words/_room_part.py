@@ -42,6 +42,8 @@ class RoomPart:
         kinds = small.AREAS[area.value]
         seat = next(iter(kinds)).split()[-1] in small.SEATS
         own = [m for m in self.things if m.thing.category.on_floor and not m.flat and (seat or not m.sat_on)]
+        cushions = any(m.thing.head in ("cushion", "pillow") for m in self.things)
+        own = own or [m for m in self.things if m.flat and cushions]  # "a reading corner with a rug and cushions"
         named_here = [thing for thing in said.things if not thing.implied]
         stood_for = self.first.noun.kind if self.first is not None else ""  # "facing the dining area, a table for six"
         own = own or [Mention(thing) for thing in named_here if thing.noun.kind == stood_for]

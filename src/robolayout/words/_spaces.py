@@ -52,10 +52,15 @@ class Spaces(About):
     def _hung_at(self, chunk: Chunk, measure: Measure) -> bool:
         """Note how high the middle of a thing is that hangs on a wall: "a mirror 1.5 m above the floor"."""
         last = (self.acted or self.group)[-1:]
-        hung = [one for one in last if "wall" in one.thing.places or one.walled or one.thing.noun.said == "shelf"]
+        said = (last, self.holder if self.having else [])  # "shelves with toys at child height"
+        found = ([one for one in there if one.walled or one.thing.noun.said == "shelf"] for there in said)
+        hung = next((there for there in found if there), [])
         if self._ahead().value != "aloft" or not hung:
             return False
         self.at += 1
+        if not any("wall" in kind.places for one in hung for kind in one.thing.noun.categories):
+            self.said.missed.append(chunk)  # "toy shelves at child height"
+            return True
         wall, height = Place("wall"), measure.values[0]
         self.said.links.append(Link("aloft", (*hung,), (wall,), chunk.start, self._ahead(-1).end, (height, height)))
         return True
@@ -78,11 +83,17 @@ class Spaces(About):
 
     def _along_an_aisle(self, chunk: Chunk) -> bool:
         """Note what an aisle parts: two rows, or two columns of benches: "five pews on each side of an aisle" are ten."""
-        rows = [link for link in self._here if link.relation == "rows"]
+        said = self._here if self.group or self.subject else self.said.links  # "There is an aisle down the middle."
+        rows = [link for link in said if link.relation in ("rows", "columns")]
         middle = chunk.value == "middle" or (chunk.value, self._ahead().value) == ("in", "middle")
         if rows and (middle or chunk.value == "amid") and self._ahead(-2).value == "aisle":
             first, _ = self.at - 2, self._objects(chunk)
-            if middle and (rows[-1].rows != 2 or all(m.sat_on for m in rows[-1].subjects)):
+            columns = rows[-1].relation == "columns" and rows[-1].rows == 2
+            if columns:  # "two columns of six with an aisle between them"
+                many = sum(m.count for m in rows[-1].subjects) // 2
+                index = self.said.links.index(rows[-1])
+                self.said.links[index] = rows[-1] = replace(rows[-1], relation="rows", rows=many)
+            if columns or (middle and (rows[-1].rows != 2 or all(m.sat_on for m in rows[-1].subjects))):
                 self._understood(*self.chunks[first : self.at])  # "six rows of chairs with an aisle in the middle"
                 self.said.links[self.said.links.index(rows[-1])] = replace(rows[-1], sided="aisle")
             else:  # "two rows with an aisle between them"

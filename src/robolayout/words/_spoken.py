@@ -92,6 +92,8 @@ class Spoken:
         if chunk.value not in small.AREAS or (chunk.kind == "room" and not others):
             return None
         part = self._part_of_room(chunk)
+        if chunk.kind == "corner" and chunk.det == "the" and chunk.value in ("seating", "lounge") and not part.things:
+            part.things += self._last_of(small.LOUNGE, set())[-1:]  # "two sofas ... near the seating group"
         if not part.things and part.first is None:
             kind, count = next(iter(small.AREAS[chunk.value].items()))
             part.first = self.said.implied(kind, count, chunk)
@@ -384,7 +386,9 @@ class Spoken:
             aside = relation in ("left", "right")  # "a desk before the window, a chair behind it" is behind the desk
             side = things[:1] or [item for item in objects[:1] if aside and place_in([item], "door", "window")]
             told = (small.OTHER_SIDE[relation], side) if relation in small.OTHER_SIDE else ("", [])
-            self.contrast = self.contrast if place_in(objects[:1], "wall") and not told[0] else told
+            self.contrast = (
+                self.contrast if (relation == "on" or place_in(objects[:1], "wall")) and not told[0] else told
+            )
         if things and (pronoun or (fronted and relation in small.AXES)):
             self.kept, self.axis, self.other = things[:1], "" if pronoun else small.AXES[relation], []
         elif not pronoun:

@@ -22,6 +22,9 @@ CORNER_BY, FREE_IN_CORNER = 0.9, 1.5
 AT_A_LOUNGE, AROUND_A_LOUNGE = (0.25, 0.7), (0.25, 1.4)
 """Metres between a low table and the sofas at some of its sides, or at all of them, so that one gets to it."""
 
+ACROSS_BEDS = 1.8
+"""Metres between the feet of two beds headed to opposite walls, for a desk between them."""
+
 TOUCHING, INTO, KNEES = 0.1, (0.5, 0.9), 0.5
 """Metres between the backs of desks at which people face each other, before a mirror into which somebody looks, and between seats
 that face each other."""

@@ -23,9 +23,9 @@ from robolayout.words._demander import Demander
 from robolayout.words._function_words import KIN
 from robolayout.words._judged import Finding, Furnished, Unjudged, Verdict, met
 from robolayout.words._lexicon import Lexicon, grammar, plain, words_for
-from robolayout.words._places import openings, walls_meant
 from robolayout.words._said import Link, NamedThing, Place, mentions, named, place_in
 from robolayout.words._tokens import Measure
+from robolayout.words._walls import openings, walls_meant
 from robolayout.words.demands import Demand
 from robolayout.words.reading import Reading, read_text
 from robolayout.words.rooms import read_rooms

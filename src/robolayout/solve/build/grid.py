@@ -30,6 +30,9 @@ AISLES = ((1.0, 1.0), (1.0, 0.1), (1.35, 1.0), (1.35, 0.1), (1.8, 1.8))
 AT_BACK = 0.15
 """Metres between a wall and the back of what stands at it, at most: a chair beside a bed may stand a little behind its head."""
 
+LYING = 0.3
+"""Metres between rows of mats where there is no room for a way between them."""
+
 TIGHTEST = 0.5
 """Metres between things in a row up to which these may stand closer where there is no room for it."""
 
@@ -56,6 +59,7 @@ def grid_batches(site: Site, clusters: Sequence[Cluster]) -> Iterator[tuple[Grid
             continue
         both = 1 if backs == "alike" else 2  # chairs of both rows stand in the aisle
         aisles = [(between[0] * both + aisle0 * wider, closer) for wider, closer in AISLES]
+        aisles += [(max(rows.aisle, LYING), 0.1)] if want.asset.is_flat else []  # one steps over mats
         walled = (
             [*_walled(site, size[0] / 2 - extent[0], aisles[0][0])]
             if backs == "facing" and count == 2 and rows.widest is None
