@@ -270,6 +270,18 @@ def test_what_each_has_is_counted(said: str, counts: dict[str, int]) -> None:
         ("A nail salon with two tables, each with a chair on one side and a stool on the other.", "in_front_of(stool-0, "),
         ("A bar with a counter on the left wall and shelves behind it.", "distance_constraint(bar_counter-0, walls[1]"),
         ("A room with two single beds on opposite walls and a desk between them under the window.", "against_wall(single_bed-0, walls"),
+        (
+            "A therapy room with bars along a wall, an exercise ball and a foam roller in the corner, and a mirror by the door.",
+            "corner(exercise_ball-0, 0), near(foam_roller-0",
+        ),
+        ("A kitchen where the fridge is next to the stove, and a table for four is in the middle.", "distance_constraint(dining_table-0"),
+        ("A nursery with a crib. A nursing chair with a footstool faces the crib.", "point_towards(rocking_chair-0, crib-0)"),
+        ("A living room. The guest sits in an armchair near the window.", "near(armchair-0"),
+        ("A bedroom with a bed and a nightstand at its head.", "near(night_stand-0, bed-0"),
+        ("A cat cafe: cat trees stand in three corners, shelves for climbing are on the wall.", "mounted_on(wall_shelf-0)"),
+        ("A garage. Along the left wall are two racks, bikes hang on the right wall.", "against_wall(bicycle-0, walls[1])"),
+        ("A playroom with a table with two chairs in the center of a round rug.", "under(round_rug-0, [kids_table-0])"),
+        ("A dining room with a bench along the window side of the table.", "in_front_of(bench-0, dining_table-0"),
     ],
 )  # fmt: skip
 def test_what_models_and_people_write_is_understood(said: str, meant: str) -> None:
@@ -314,6 +326,10 @@ def test_a_rule_puts_only_groups_that_take_part() -> None:
         ("A small restaurant with six tables.", {"chafing_dish": 0, "dining_table": 6}),
         ("A studio with a bookshelf that acts as a room divider.", {"act": 0}),
         ("A studio with a camera a few steps in front of a stool.", {"step_stool": 0}),
+        ("A cat cafe: cat trees stand in three corners.", {"cat_tree": 3}),
+        ("A workshop for bikes with two benches.", {"bicycle": 0}),
+        ("A study room with two computer stations on the right wall.", {"computer": 2, "desk": 2}),
+        ("A room for a toddler with a mattress on the floor.", {"sideboard": 0, "dining_table": 0}),
     ],
 )
 def test_things_are_as_many_as_people_mean(said: str, counts: dict[str, int]) -> None:

@@ -136,9 +136,9 @@ def _wanted(reading: Reading, kind: str, usual: int, most: int) -> list[Wanted]:
 def _near(room: Room, reading: Reading) -> set[int]:
     """Return the walls that are not across from one that is told as the far one, and one that is told as the back one."""
     found = set[int]()
-    for place in (place for link in reading.parsed.links for place in places(link.objects, "wall")):
+    for place in (place for link in reading.parsed.links for place in places(link.objects, "wall", "corner")):
         told = {*place.words} & {"far", "back", "rear"}
-        there = [room.walls[i] for i in _meant(room, place)] if told else []
+        there = [room.walls[i] for word in told for i in _meant(room, Place("wall", (word,)))]
         across = [w.index for w in room.walls if "far" in told and any(opposed(w.normal, one.normal) for one in there)]
         found |= {w.index for w in room.walls if w.index not in across} if across else {one.index for one in there}
     return found

@@ -186,25 +186,6 @@ class About(References):
         self._understood(*following)
         return replace(wall, by=(how, place_of(following[1])))
 
-    def _in_turn(self, chunk: Chunk, objects: list[Item]) -> bool:
-        """Link each of several things to its own: "next to the window and the door, respectively"."""
-        rest = takewhile(lambda other: other.kind != "stop", self.chunks[self.at :])
-        if all(other.value != "respectively" for other in rest):
-            return False
-        own = self.subject if len(self.subject) > 1 else self.group
-        own = own if len(own) > 1 else [Mention(m.thing, slice(i, i + 1)) for m in own for i in range(m.thing.count)]
-        to: list[tuple[Chunk, Item]] = []
-        for item in objects:
-            to += [(chunk, one) for one in (item.apart if isinstance(item, Place) else [item])]
-        while len(to) < len(own) and self._ahead().kind in ("and", "comma", "rel"):
-            chunk = self._ahead() if self._ahead().kind == "rel" else chunk
-            self.at += 1
-            to += [(chunk, item) for item in [self._object(chunk)] if item is not None]
-        for one, (how, item) in zip(own, to, strict=False):
-            self._link(how, [one], [item])
-        self.acted = own
-        return len(own) == len(to)
-
     def _other_side(self, chunk: Chunk, objects: list[Item]) -> tuple[Chunk, list[Item]]:
         """Return a relation and what it leads to, where "on the other side" is the other side of what was spoken of."""
         place = place_in(objects[:1])
@@ -260,7 +241,8 @@ class About(References):
             return objects
         here = self._here
         far = here[-1:] if any(place_in(k.objects[:1], "wall") for k in here) else here[::-1]
-        at = [place for k in (far or self.said.links[::-1]) if (place := place_in(k.objects[:1], "window", "door"))]
+        said = (place_in(k.objects[:1], "window", "door") for k in (*far, *self.said.links[::-1]))
+        at = [place for place in said if place is not None]
         return [replace(wall, words=(), by=("opposite", at[0])), *objects[1:]] if at else objects
 
     def _walls(self, subjects: list[Mention], place: Place) -> list[Mention]:
@@ -337,6 +319,9 @@ class About(References):
         ordered = relation in small.ORDERS and bool(self.group) and self.group[0].thing.number == 1
         if (verb or ordered) and self.every and len(self.group) == 1 and self._previous(rel) != ",":
             return list(self.every[0])  # "chairs, each with a stand, form a circle"
+        looks = {"faces", "overlooks"} & {*rel.adjectives} and self._previous(rel) != ","
+        if looks and self.having and self.holder and not self.relative:
+            return list(self.holder)  # "a chair with a footstool faces the crib"
         if relation == "under" and last.relation == "on" and self.acted == [*last.subjects] and self.target is not None:
             return [self.target] * (not self.target.topped)  # "weights on a rack under the mirror"
         table, laid = self.group[-2:] if len(self.group) > 1 else (None, None)
@@ -387,7 +372,12 @@ class About(References):
         if earlier[0].count >= CROWD > last.count:
             return False  # "twenty desks and a teacher's desk in front of the board"
         alike = all(mention.thing.head in (*small.SEATS, *small.TOPS) for mention in self.group)
-        if any(c.kind in ("room", "with", "colon") and c.start >= self.began for c in self.chunks[:begun]):
+        had = [c.kind for c in self.chunks[:begun] if c.start >= self.began]
+        goes_on = [c.kind for c in takewhile(lambda c: c.kind != "stop", self.chunks[self.at :])]
+        amid = (
+            "rel" in had and "thing" in goes_on[1:]
+        )  # "bars along a wall, a ball and a roller in the corner, a stool ..."
+        if {"room", "with", "colon"} & {*had} and not (amid and len(earlier) == 1):
             return alike and not earlier[1:]
         return alike or not earlier[1:] or all(thing.definite for thing in earlier) or to.kind == "thing"
 

@@ -57,6 +57,7 @@ class Demander(InOrder):
         seats = Counter(b for how, a, b in twos if how in ("with", "around") and a in sat_on)
         on_floor = [(how, a, b) for how, a, b in twos if self._asset(a).on_floor]
         backed = {b for how, a, b in on_floor if how == "flank" or (how == "behind" and a not in sat_on)}
+        self.backed = frozenset(b for how, a, b in on_floor if how == "behind" and a not in sat_on)
         self.surrounded = frozenset(backed.union(name for name, count in seats.items() if count > 2))
         self.surrounded |= self._seated_around(self.cornered) | (self.askew & self.cornered.keys())
         seated = (one for one in scene.assets if self._is(one.name, small.SEATS))

@@ -139,7 +139,9 @@ def _settle_by_others(link: Link) -> None:
             _take(thing, "kitchen sink")
         elif thing.noun.words == "stool" and any(other.noun.kind.endswith(small.HIGH) for other in to):
             _take(thing, "bar stool")
-        elif thing.noun.kind == "cushion" and (sat_on or heads <= {"rug"} or (around and heads & small.TOPS)):
+        elif thing.noun.kind == "cushion" and (
+            sat_on or heads <= {"rug"} or ((around or link.relation == "with") and heads & small.TOPS)
+        ):
             _take(thing, "floor cushion")
         elif thing.noun.kind == "curtain" and (amid or around):
             _take(thing, "privacy screen")

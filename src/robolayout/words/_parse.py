@@ -292,7 +292,7 @@ class Parser(Relating):
         assert chunk.noun is not None
         noun, before = chunk.noun, self._previous(chunk)
         several, strange = chunk.plural or noun.words.endswith("s"), noun.kind.startswith("unknown")
-        alone = not chunk.det and chunk.number is None
+        alone, named = not chunk.det and chunk.number is None, self.group or self._ahead(-3).kind == "room"
         aid = small.AIDS.get(noun.said if noun.guessed and not self.group else noun.kind)
         held = self.group[-1:] if alone and self._ahead(-3).kind == "thing" else []
         alike = bool(held) and noun.kind == held[0].thing.noun.kind
@@ -310,7 +310,7 @@ class Parser(Relating):
             mention = self._mention(chunk)
             if mention.thing.category.on_object and not held[0].thing.category.on_object:
                 self.said.links.append(Link("on", (mention,), tuple(held), chunk.start, chunk.end))
-        elif before == "for" and ((self.group and several and alone) or strange):
+        elif before == "for" and ((named and several and alone) or strange):
             self._fact(replace(chunk, kind="function"))  # "a rack for shoes", "a desk for the therapist"
         else:
             return False
@@ -321,8 +321,8 @@ class Parser(Relating):
         if self.fronted is None:
             return False
         # "behind it a clock, four armchairs around a table"
-        elsewhere = self.fronted[0].value != "on" and self._ahead().kind == "rel"
-        if self.acted and (elsewhere or self._alone(mention, joined=True)):
+        other = self._ahead().kind == "rel" and self.fronted[0].value != "on"
+        if self.acted and (other or self._ahead().value in small.FINITE or self._alone(mention, joined=True)):
             self.fronted = None
             return False
         for led in (self.also, self.fronted) if self.also is not None else (self.fronted,):

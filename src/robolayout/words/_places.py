@@ -78,6 +78,7 @@ class AtPlaces:
         self.cornered = dict[str, str]()  # what is asked to be in a corner, perhaps one by a window, and what is across
         self.between = dict[str, float]()  # what has something between it and others, with the metres that this takes
         self.amid_lit = frozenset[str]()  # what has between it and others what is asked to be at a window
+        self.backed = frozenset[str]()  # what has furniture behind it
         self.surrounded = frozenset[str]()  # what touches no wall: seats are all around it, or something is behind it
 
     def _asset(self, name: str) -> Asset:
@@ -275,7 +276,7 @@ class AtPlaces:
 
     def _ways_at_a_wall(self, a: str, place: Place, *, on: bool) -> Iterator[Way]:
         """Yield the ways in which a thing is at one of the walls that are meant and long enough, or in the middle of one."""
-        backed = a in self.surrounded and self._is(a, ("counter",))  # "a bar on the left wall, with shelves behind it"
+        backed = a in self.backed and self._is(a, ("counter",))  # "a bar on the left wall, with shelves behind it"
         if backed or self._is(a, ("reception desk",)):  # with room for who sits behind it
             yield from self._ways_before_a_wall(a, place)
             return

@@ -163,7 +163,7 @@ class References(Spoken):
 
     def _alone(self, mention: Mention, *, joined: bool) -> bool:
         """Return whether a new clause begins with a thing: "..., and a rack stands at the wall"."""
-        rest = [*dropwhile(lambda c: c.kind in ("with", "thing", "style", "and"), self.chunks[self.at :]), NOTHING]
+        rest = [*dropwhile(lambda c: c.kind in small.OF_A_NOUN, self.chunks[self.at :]), NOTHING]
         among = [c.kind for c in rest[:2]] == ["rel", "pron"]  # "two chairs with a table between them sit in a corner"
         following = rest[2 * among]  # "..., and a table with a lamp stands at the wall"
         starts = self._ahead(-2).kind in ("and", "comma")
@@ -335,6 +335,9 @@ class References(Spoken):
                 if mention.thing.times == 1 and not owned and not dealt:
                     mention.thing.times = count * (2 if mention.per_side(chunk) else 1)
         self._counted_at_walls(chunk, subjects, objects)
+        corners = next((to.number for to in places(objects, "corner")), None)
+        for thing in (mention.thing for mention in subjects if corners and mention.thing.uncounted):
+            thing.number = corners  # "cat trees in three corners"
         for mention in subjects if chunk.value == "rows" else ():
             mention.thing.rows = mention.thing.rows or chunk.rows  # "clothing racks in three rows"
         for thing in (m.thing for m in subjects if chunk.value == "columns" and m.thing.rows and m.thing.uncounted):
@@ -442,4 +445,4 @@ class References(Spoken):
 def _over_or_under(relation: str, item: Item) -> bool:
     """Return whether something is a rug that things are on, or hangs from the ceiling over them."""
     below = relation == "under" and isinstance(item, Mention) and item.thing.places == ("ceiling",)
-    return below or (relation == "on" and isinstance(item, Mention) and item.flat)
+    return below or (relation in ("on", "middle") and isinstance(item, Mention) and item.flat)

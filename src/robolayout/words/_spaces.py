@@ -129,6 +129,25 @@ class Spaces(About):
         self.said.links.append(Link("wall", tuple(self.group), (walls,), chunk.start, chunk.end))
         return True
 
+    def _in_turn(self, chunk: Chunk, objects: list[Item]) -> bool:
+        """Link each of several things to its own: "next to the window and the door, respectively"."""
+        rest = takewhile(lambda other: other.kind != "stop", self.chunks[self.at :])
+        if all(other.value != "respectively" for other in rest):
+            return False
+        own = self.subject if len(self.subject) > 1 else self.group
+        own = own if len(own) > 1 else [Mention(m.thing, slice(i, i + 1)) for m in own for i in range(m.thing.count)]
+        to: list[tuple[Chunk, Item]] = []
+        for item in objects:
+            to += [(chunk, one) for one in (item.apart if isinstance(item, Place) else [item])]
+        while len(to) < len(own) and self._ahead().kind in ("and", "comma", "rel"):
+            chunk = self._ahead() if self._ahead().kind == "rel" else chunk
+            self.at += 1
+            to += [(chunk, item) for item in [self._object(chunk)] if item is not None]
+        for one, (how, item) in zip(own, to, strict=False):
+            self._link(how, [one], [item])
+        self.acted = own
+        return len(own) == len(to)
+
     def _far_apart(self, chunk: Chunk) -> bool:
         """Note that each of several things is far from each other one: "a bed, a desk and a sofa, but not near each other"."""
         who = list(self.group or self.subject or self.before)
