@@ -333,7 +333,9 @@ class Demander(InOrder):
                 ways = [(stated("align_with", AssetRef(a), AssetRef(others[0]), turn),), *ways]
             if i and ways and not others:  # side by side before one window
                 ways = [*by_ways(ways_of.ABREAST, a, subjects[0]).ways, *ways]
-            if len(others) == 1 < len(subjects) and self._is(a, small.SLEPT_ON):  # two beds side by side, and a dresser
+            beds = len(subjects) > 1 and self._is(a, small.SLEPT_ON)  # two beds side by side, and a dresser
+            walled = a in self.hung and category_of(self._asset(a)).open_depth > 0  # it looks straight from its wall
+            if len(others) == 1 and (beds or walled):
                 ways.append((stated("align_with", AssetRef(a), AssetRef(others[0]), 180.0),))
             if ways:
                 yield Demand(tuple(ways))

@@ -342,12 +342,14 @@ class Relating(Spaces):
 
     def _between_the_last(self) -> list[Item]:
         """Return what faces another thing, and that, where it was said last: "two armchairs facing it and a table in between"."""
-        here = [link for link in reversed(self._here) if link.relation != "with"]
+        own = named(self.about)
+        here = [k for k in reversed(self._here) if k.relation != "with" and not named(k.subjects) <= own]
         last = next((link for link in here if link.relation not in ("flank", "around")), None)
         if last is None or last.relation not in ("facing", "opposite"):
             return []
         # "a sofa facing the fireplace, an armchair on each side of the fireplace and a table in between"
-        if any(not named(link.objects) & named(last.objects) for link in here[: here.index(last)]):
+        both = named((*last.subjects, *last.objects))
+        if any(not named(link.objects) & both for link in here[: here.index(last)]):
             return []
         return [*last.subjects, *last.objects] if mentions(last.objects) else []
 
