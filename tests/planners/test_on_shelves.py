@@ -10,6 +10,7 @@ from tests.planners.said_rooms import made, of
 
 import robolayout as rl
 from robolayout.assets.surfaces import emptied, open_shelves
+from robolayout.constraints.inside import Inside
 from robolayout.planners import scene_from_sentence
 from robolayout.run.result import Result
 from robolayout.words import read_words
@@ -169,3 +170,12 @@ def test_one_of_several_shelves_is_not_a_level() -> None:
     wishes = read_words(scene_from_sentence("A bathroom with three wall shelves, a plant on the top shelf.")[0])
     stated = [str(relation) for demand in wishes.demands for way in demand.ways for relation in way]
     assert any("potted_plant-0" in one and "wall_shelf-2" in one and "inside" not in one.lower() for one in stated)
+
+
+def test_a_child_gets_to_the_books_that_fill_a_low_bookshelf() -> None:
+    scene, _ = scene_from_sentence("A child's bedroom with a low bookshelf filled with books.")
+    (inside, *_) = (one for demand in read_words(scene).demands for one in demand.ways[0] if isinstance(one, Inside))
+    agent = scene.agents[0]
+    assert inside.places(scene)[0].height < agent.reach_high
+    taller = replace(scene, agents=(replace(agent, reach_high=2.0),))
+    assert inside.places(taller)[0].height > agent.reach_high

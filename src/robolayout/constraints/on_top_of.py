@@ -18,9 +18,6 @@ from robolayout.scene import Asset, Layout, Scene, vertical_span
 AT_HAND = 1.0
 """Metres above the floor at which things are taken from a shelf most easily."""
 
-BELOW_REACH = 0.15
-"""Metres below the highest that somebody reaches at which a shelf is at hand."""
-
 
 @dataclass(frozen=True)
 class OnTopOf(Relation):
@@ -49,8 +46,7 @@ class OnTopOf(Relation):
         lower, upper, meant = scene.by_name[self.b.name], scene.by_name[self.a.name], self.meant(scene)
         shelves = [surface for surface in meant if surface.covered and surface.holds(upper.size)]
         reach = min((agent.reach_high for agent in scene.agents if agent.reach_distance is not None), default=math.inf)
-        hand = min(AT_HAND, reach - BELOW_REACH)  # a child's is lower
-        at_hand = sorted(shelves, key=lambda surface: abs(surface.height - hand))
+        at_hand = sorted(shelves, key=lambda surface: (surface.height > reach, abs(surface.height - AT_HAND)))
         return tuple(at_hand) or (resting_place(lower, upper, meant),)
 
     def place(self, scene: Scene, near: Layout) -> Surface:

@@ -36,7 +36,7 @@ def room_meant(reading: Reading, rooms: RoomTypes) -> tuple[RoomType, list[str]]
     scores = {name: _belongs(kinds, room) for name, room in likely.items()}
     best = max(scores, key=lambda name: (scores[name], name == "room"))
     best = best if scores[best] >= LIKELY else "room"
-    best = "children's room" if reading.young and best in ("room", "office") else best
+    best = "children's room" if reading.young and best in ("room", "office", "dining room") else best
     named = f"{reading.room_words!r} is no room type that is known" if reading.guessed else "No room was named"
     return rooms.rooms[best], [f"{named}: {best} was taken."]
 

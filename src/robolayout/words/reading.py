@@ -245,8 +245,7 @@ def _for_children(facts: list[Chunk]) -> None:
     words = [who.removesuffix("s") for who in users]
     for young, room in ((small.SIBLINGS | {"child_6", "toddler"}, "children's room"), ({"baby", "infant"}, "nursery")):
         alone = bool(words) and young.issuperset(words)
-        meant = [("room", "bedroom"), ("room", "room")]
-        facts[:] = [replace(c, value=room) if alone and (c.kind, c.value) in meant else c for c in facts]
+        facts[:] = [replace(c, value=room) if alone and (c.kind, c.value) == ("room", "bedroom") else c for c in facts]
 
 
 def _two_at_each(links: Sequence[Link]) -> None:
