@@ -14,7 +14,7 @@ from robolayout.planners._knowledge import DATA
 from robolayout.planners._roles import TOP_SHARE, stands_free
 from robolayout.planners._wishes import INSTEAD, LOW, RoomWishes, head
 from robolayout.scene import FLAT_HEIGHT, Agent
-from robolayout.words import SHAPES, WATCHING, NamedThing, mentions, named, place_in, visits
+from robolayout.words import SHAPES, WATCHING, Link, NamedThing, mentions, named, place_in, visits
 
 COMFORT, AIRY = 0.26, 0.15
 """Shares of the floor up to which further things are added: usually, and in a room that is to be airy."""
@@ -27,6 +27,7 @@ LARGER = 1.6  # how many times as large as usual a room is from which on it has 
 
 LIT = 22.0  # square metres that one ceiling lamp lights
 SPARE = 0.02  # metres between the top of a thing and the ceiling
+PASSAGE = 0.9  # metres that stay free all around a thing where no metres are said
 BROAD = 0.6  # metres of width from which on what flanks a thing takes the place of what usually stands there
 ON_A_RUG = 4  # seats of one kind that may stand around one rug
 
@@ -93,6 +94,8 @@ class Added:
         next_to = (link for link in said if link.relation in ("next", "left", "right"))
         beside = (link.objects for link in next_to if any(map(self._broad, named(link.subjects))))
         self.cornered |= self._roles_of(thing for to in beside for thing in named(to))
+        # floor that stays free all around something
+        self.freed = sum(self._strip(link) for link in bare)
         self.ceiling = (wishes.reading.measure("height") or (math.inf,))[0]
         self.found: dict[str, int] = {}
 
@@ -188,7 +191,13 @@ class Added:
         if any(kinds[name].places == ("object",) for name in group) and not self._room_on_tops(group):
             return False
         taken = self.wishes.floor_area(both(self.wished, self.found, group))
-        return self.wishes.floor_area(group) == 0 or taken <= limit * self.floor
+        return self.wishes.floor_area(group) == 0 or taken <= limit * max(self.floor - self.freed, 0.0)
+
+    def _strip(self, link: Link) -> float:
+        """Return how many square metres are asked to stay free all around some things; where no metres are said as a body needs."""
+        beyond = 2 * (link.metres[0] or PASSAGE)
+        sizes = (self.wishes.kinds[self.wishes.kind(m.thing)].size[:2] for m in link.subjects)
+        return sum((deep + beyond) * (wide + beyond) - deep * wide for deep, wide in sizes)
 
     def _of_one(self, name: str) -> bool:
         """Return whether a thing would lie under one of several alike: a rug under the first of three tables."""
