@@ -28,6 +28,7 @@ def test_chairs_along_a_wall_stand_before_their_mirrors_there() -> None:
 @pytest.mark.parametrize(
     "text",
     [
+        "A small prayer room with five rows of prayer mats facing the east wall and a lectern in front of the mats.",
         "A prayer room with five rows of prayer mats facing the east wall.",
         slow("A yoga studio with nine mats in three rows facing the instructor's mat."),
     ],
@@ -63,3 +64,18 @@ def test_a_toilet_between_others_is_at_a_wall() -> None:
     result = made("A bathroom with a sink on the left wall, a bathtub along the back wall and the toilet between them.")
     said = [one.relation for one in result.program.statements if one.wish is None]
     assert any(one.name == "against_wall" and one.asset_names() == ("toilet-0",) for one in said)
+
+
+def test_who_looks_at_the_desks_from_the_corner_sits_in_it() -> None:
+    """The desk once had its back to the corner's walls and faced away (unmet in 7 s)."""
+    result = made("An office with four desks in the center. The manager's desk is in the corner, facing the desks.")
+    assert result.report.ok, result.report.violations
+    (desk,) = (result.layout[name] for name in of(result, "executive_desk"))
+    x, y = result.scene.room.bounds[2:]
+    ahead = (x / 2 - desk.x) * math.cos(desk.yaw) + (y / 2 - desk.y) * math.sin(desk.yaw)
+    assert ahead < 0, "who sits before its front looks at the room"
+
+
+def test_benches_that_face_each_other_go_under_the_table_between_them() -> None:
+    result = made("A meeting booth with two benches facing each other and a table between them.")
+    assert result.report.ok, result.report.violations

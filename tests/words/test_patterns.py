@@ -330,6 +330,12 @@ def test_a_rule_puts_only_groups_that_take_part() -> None:
         ("A workshop for bikes with two benches.", {"bicycle": 0}),
         ("A study room with two computer stations on the right wall.", {"computer": 2, "desk": 2}),
         ("A room for a toddler with a mattress and a table with two chairs.", {"sideboard": 0}),
+        ("A small meeting booth with two benches and a table between them.", {"booth": 0, "bench": 2}),
+        (
+            "An office with four desks, each with a chair. The manager's desk is in the corner.",
+            {"office_chair": 5, "executive_desk": 1},
+        ),
+        ("A dining room with a table with four chairs and a desk.", {"chair": 4}),
     ],
 )
 def test_things_are_as_many_as_people_mean(said: str, counts: dict[str, int]) -> None:

@@ -59,7 +59,7 @@ def wished_things(wishes: RoomWishes) -> dict[str, int]:
         new = max(0, count - benches * (head(name) == "chair") - (wished[name] - wishes.things.get(name, 0)))
         wished[name] += new
         wished["office chair"] += new * (head(name) == "desk" and "office chair" in wished)
-    wished["office chair"] += _at_meeting_tables(wishes, wished)
+    wished["office chair"] += _at_meeting_tables(wishes, wished) + _unseated(wishes, wished)
     wished["side table"] += _without_a_top(wishes, {**wished, **room.base})
     return dict(+wished) | lounge
 
@@ -73,6 +73,15 @@ def _without_a_top(wishes: RoomWishes, present: Mapping[str, int]) -> bool:
     there = {role.name for role in playing.values()}
     joins = {name: {to for join in role.joins for to in join.of} for name, role in playing.items()}
     return not any(role.top for role in playing.values()) and any(not joins.get(name, set()) & there for name in alone)
+
+
+def _unseated(wishes: RoomWishes, wished: Mapping[str, int]) -> int:
+    """Return how many desks have no chair yet where others are said to have one: "each with a chair", besides a manager's desk."""
+    links = (k for k in wishes.reading.parsed.links if any(head(m.thing.noun.kind) == "chair" for m in k.subjects))
+    seated = {thing for k in links if k.relation == "with" for thing in named(k.objects) if thing.head == "desk"}
+    alone = sum(thing.count for thing in wishes.asked if thing.head == "desk" and thing not in seated)
+    desks, chairs = (sum(n for name, n in wished.items() if head(name) == what) for what in ("desk", "chair"))
+    return min(alone, max(desks - chairs, 0)) if seated else 0
 
 
 def _at_meeting_tables(wishes: RoomWishes, wished: Mapping[str, int]) -> int:

@@ -225,7 +225,10 @@ def _in_rows(
         rows = math.ceil(thing.count / rows) if link.relation == "columns" and rows else rows
         rows, gap = (rows, 0.0) if rows > 0 else (math.ceil(math.sqrt(thing.count)), link.metres[0])
         each = math.ceil(thing.count / rows)
-        aisle = SIZES.between if kind.endswith(("desk", "table")) else SIZES.aisle * (height >= FLAT_HEIGHT)
+        before = any(k.relation == "front" and thing in named(k.objects) for k in links)
+        aisle = (
+            SIZES.between if kind.endswith(("desk", "table")) else SIZES.aisle * max(height >= FLAT_HEIGHT, before / 2)
+        )
         aisle = AISLE if rows > 1 and _amid(wishes, {thing}) else aisle + link.metres[0] * spaced
         width += _beside_a_bed(wishes, thing) if thing.head == "bed" else 0.0
         ahead = rows * (depth + aisle) + SIZES.around + SIZES.before

@@ -68,16 +68,21 @@ class Demander(InOrder):
         self.manning = {(a, b) for how, a, b in at if how == "behind"}
         self.manned = visited.union(b for _, b in self.manning)
         # desks at which somebody looks at what is told; of these, those that look at who comes in
-        turned = [(name, it.place) for link, it in asked if link.relation == "facing" for name in it.subjects]
-        turned = [(name, at) for name, at in turned if self._looks(name)[1:] and self._is(name, ("desk",))]
+        turned = [(name, it) for link, it in asked if link.relation == "facing" for name in it.subjects]
+        turned = [(name, it) for name, it in turned if self._looks(name)[1:] and self._is(name, ("desk",))]
         self.looking = self.manned.union(name for name, _ in turned)
-        behind = {name for name, at in turned if at is not None and at.name in ("room", "door")}
+        behind = {name for name, it in turned if it.place is not None and it.place.name in ("room", "door")}
+        behind |= {
+            name for name, it in turned if name in self.cornered and any(self._is(b, ("desk",)) for b in it.others)
+        }
         self.manned, self.surrounded = self.manned | behind, self.surrounded | behind
         self.metres = {
             two: link.metres for link, it in asked if link.relation == "apart" for two in it.twos
         } | on_walls_beside(asked)
         amid = [it for link, it in asked if link.relation == "amid"]  # with the metres that things between others take
         self.between = {b: min(self._asset(a).size[:2]) for it in amid for a in it.subjects for b in it.others}
+        tables = [it for it in amid if any(self._asset(a).size[2] >= ways_of.SAT_AT for a in it.subjects)]
+        self.tucked = {b for it in tables for b in it.others}
         mutual = [it.subjects for link, it in asked if link.relation == "mutual"]
         self.opposed = [two for names in mutual for two in zip(names[::2], names[1::2], strict=False)]
         self.central = {

@@ -22,6 +22,9 @@ class InOrder(AtSides):
     huddled: Set[str]
     """What is asked to stand together."""
 
+    tucked: Set[str]
+    """What has a table to sit at between it and others."""
+
     def _by_twos(self, it: Asked, relation: str) -> Iterator[Demand]:
         """Yield what the second of every two is asked to be to the first; or how two rows of them are turned."""
         if self.told.in_rows(it.subjects):
@@ -40,7 +43,7 @@ class InOrder(AtSides):
             demand = by_ways((far,) if desks and amid else ways_of.BY_TWOS["mutual desks" if desks else relation], b, a)
             deep = sum(self._asset(name).size[0] for name in (a, b)) / 2  # their fronts are the sides that meet
             knees = (stated("distance_constraint", AssetRef(b), AssetRef(a), round(ways_of.KNEES + deep + amid, 3)),)
-            knees *= relation == "mutual" and self._is(a, small.SEATS)
+            knees *= relation == "mutual" and self._is(a, small.SEATS) and a not in self.tucked
             yield Demand(tuple((*way, *knees) for way in demand.ways))
             opens = category_of(self._asset(a)).open_depth > 0 and not self._is(a, small.TOPS)
             if relation == "mutual" and opens:  # wardrobes have their backs to walls

@@ -29,6 +29,9 @@ TOUCHING, INTO, KNEES = 0.1, (0.5, 0.9), 0.5
 """Metres between the backs of desks at which people face each other, before a mirror into which somebody looks, and between seats
 that face each other."""
 
+SAT_AT = 0.65
+"""Metres of height from which on seats go under a table."""
+
 ASKEW = (45.0, 135.0, 225.0, 315.0)
 """Degrees by which a thing is turned from a wall that stands diagonally."""
 
