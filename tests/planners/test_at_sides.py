@@ -213,7 +213,7 @@ def test_a_mattress_is_the_bed_and_a_small_table_for_two_is_sat_at() -> None:
     [
         ("a bedroom with a bed and two matching nightstands either side", "night_stand", 2),
         ("a dining room with a table and six chairs around", "chair", 6),
-        slow("a cafe with tables for two along the window", "chair", 4),
+        slow("a cafe with tables for two along the window", "chair", 8),
     ],
 )
 def test_what_is_said_without_its_object_is_there(text: str, kind: str, count: int) -> None:

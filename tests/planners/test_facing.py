@@ -52,7 +52,9 @@ def test_shelves_behind_a_desk_that_faces_the_door_are_behind_who_sits_there() -
     result = made("a study with a desk in the middle of the room facing the door and two bookshelves behind it")
     assert result.report.ok
     door = result.scene.room.doors[0]
-    assert cosine(result, "desk-0", result.scene.room.walls[door.wall].point(door.center)) < -0.95
+    assert cosine(result, "desk-0", result.scene.room.walls[door.wall].point(door.center)) < -0.7, (
+        "straight at its wall"
+    )
     assert cosine(result, "desk-0", result.layout["bookshelf-0"].at) > 0.7
     assert gap(result, "bookshelf-0", "bookshelf-1") < 0.6
 

@@ -153,7 +153,7 @@ def test_what_stands_in_parallel_is_beside_its_like_and_not_end_to_end(text: str
     first = result.layout[benches[0]]
     assert all(math.cos(result.layout[name].yaw - first.yaw) > 0.999 for name in benches)
     lines = {round(first.seen(result.layout[name].at)[0], 1) for name in benches}
-    assert len(lines) == 3
+    assert len(lines) in (3, count), "two columns, or one"
 
 
 @pytest.mark.slow

@@ -291,6 +291,18 @@ def test_what_models_and_people_write_is_understood(said: str, meant: str) -> No
     assert not any(row.kind == "not understood" for row in rows)
 
 
+@pytest.mark.parametrize(
+    ("said", "verdict"),
+    [
+        ("A kitchen with two counters along both long walls with a walkway between them.", "a way for the body"),
+        ("An office with two rows of desks with a clear walkway between them.", "a way for the body"),
+        ("A studio with a bed, a sofa and a bookshelf that serves as a room divider.", "no word list has it"),
+    ],
+)
+def test_what_a_thing_is_for_is_not_dropped(said: str, verdict: str) -> None:
+    assert any(row.understanding == verdict for row in _rows(said))
+
+
 def _certain(parsed: Iterable[tuple[Any, Any]]) -> int:
     """Return how many groups of a parsed expression take part in every match."""
     count = 0
@@ -331,6 +343,10 @@ def test_a_rule_puts_only_groups_that_take_part() -> None:
         ("A study room with two computer stations on the right wall.", {"computer": 2, "desk": 2}),
         ("A room for a toddler with a mattress and a table with two chairs.", {"sideboard": 0}),
         ("A small meeting booth with two benches and a table between them.", {"booth": 0, "bench": 2}),
+        (
+            "A lobby with two seating groups, each with two armchairs and a side table.",
+            {"armchair": 4, "side_table": 2},
+        ),
         (
             "An office with four desks, each with a chair. The manager's desk is in the corner.",
             {"office_chair": 5, "executive_desk": 1},

@@ -242,9 +242,8 @@ class Added:
         others = {other for other in self.wished if self._of_another(other, name)}
         there = {self.wishes.head(other) for other in self.wished.keys() - others if not visits(other)}
         there |= self.wishes.general - {self.wishes.head(other) for other in others}
-        promised = (
-            self.wishes.seats and "chair" in self.asked
-        )  # "a table for six and two chairs by the fire": it has its own
+        # "a table for six and two chairs by the fire": it has its own
+        promised = self.wishes.seats and "chair" in self.asked
         there |= {"chair"} if head(name) == "table" and (promised or no_chairs(self.wished)) else set()
         there |= SEATS if self._seated(name) else set()  # a stool, beside the chair of a vanity
         if self.room.tables and head(name) == "desk" and "chair" not in map(head, self.wishes.things):

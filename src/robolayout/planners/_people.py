@@ -149,9 +149,8 @@ def _on_benches(wishes: RoomWishes) -> int:
 
 def _at_tables(links: Iterable[Link]) -> set[NamedThing]:
     """Return the seats that are asked to be at tables."""
-    at = (
-        k for k in links if any(to.noun.kind.endswith(("table", "lab bench", "workbench")) for to in named(k.objects))
-    )
+    tables = ("table", "lab bench", "workbench")
+    at = (k for k in links if any(to.noun.kind.endswith(tables) for to in named(k.objects)))
     return {mention.thing for link in at for mention in link.subjects if mention.sat_on}
 
 

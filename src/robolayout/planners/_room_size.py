@@ -129,6 +129,7 @@ def _blocks(wishes: RoomWishes) -> Iterator[tuple[float, float]]:
             sizes = (one.count * (wishes.kinds[wishes.kind(one.thing)].size[1] + 2 * SIZES.walkway) for one in tables)
             yield sum(sizes), 0.0
         yield from _amid_others(wishes, link)
+        yield from _beside_a_sofa(wishes, link)
         yield from _clusters(wishes, link)
         yield from _gathered(wishes, link)
         for thing in named(link.subjects) if link.relation in SHAPES else ():
@@ -161,6 +162,14 @@ def _amid_others(wishes: RoomWishes, link: Link) -> Iterator[tuple[float, float]
         depth, width, _ = wishes.kinds[wishes.kind(thing)].size
         if depths:
             yield width + 2 * SIZES.around, depth + sum(depths.values()) + (len(depths) + 2) * SIZES.around
+
+
+def _beside_a_sofa(wishes: RoomWishes, link: Link) -> Iterator[tuple[float, float]]:
+    """Yield how wide a sofa is with what is so far beside it, and as much on the other side: it is centred before a television."""
+    for sofa in named(link.objects) if link.relation == "apart" else ():
+        sizes = [wishes.kinds[wishes.kind(thing)].size[1] for thing in named(link.subjects) if thing.category.on_floor]
+        if sofa.head == "sofa" and sizes:
+            yield wishes.kinds[wishes.kind(sofa)].size[1] + 2 * (link.metres[0] + max(sizes)), 0.0
 
 
 def _clusters(wishes: RoomWishes, link: Link) -> Iterator[tuple[float, float]]:
@@ -226,9 +235,8 @@ def _in_rows(
         rows, gap = (rows, 0.0) if rows > 0 else (math.ceil(math.sqrt(thing.count)), link.metres[0])
         each = math.ceil(thing.count / rows)
         before = any(k.relation == "front" and thing in named(k.objects) for k in links)
-        aisle = (
-            SIZES.between if kind.endswith(("desk", "table")) else SIZES.aisle * max(height >= FLAT_HEIGHT, before / 2)
-        )
+        wide = 1.0 if height >= FLAT_HEIGHT else before / 2
+        aisle = SIZES.between if kind.endswith(("desk", "table")) else SIZES.aisle * wide
         aisle = AISLE if rows > 1 and _amid(wishes, {thing}) else aisle + link.metres[0] * spaced
         width += _beside_a_bed(wishes, thing) if thing.head == "bed" else 0.0
         ahead = rows * (depth + aisle) + SIZES.around + SIZES.before

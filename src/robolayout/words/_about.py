@@ -374,9 +374,8 @@ class About(References):
         alike = all(mention.thing.head in (*small.SEATS, *small.TOPS) for mention in self.group)
         had = [c.kind for c in self.chunks[:begun] if c.start >= self.began]
         goes_on = [c.kind for c in takewhile(lambda c: c.kind != "stop", self.chunks[self.at :])]
-        amid = (
-            "rel" in had and "thing" in goes_on[1:]
-        )  # "bars along a wall, a ball and a roller in the corner, a stool ..."
+        # "bars along a wall, a ball and a roller in the corner, a stool ..."
+        amid = "rel" in had and "thing" in goes_on[1:]
         if {"room", "with", "colon"} & {*had} and not (amid and len(earlier) == 1):
             return alike and not earlier[1:]
         return alike or not earlier[1:] or all(thing.definite for thing in earlier) or to.kind == "thing"

@@ -72,9 +72,8 @@ class Demander(InOrder):
         turned = [(name, it) for name, it in turned if self._looks(name)[1:] and self._is(name, ("desk",))]
         self.looking = self.manned.union(name for name, _ in turned)
         behind = {name for name, it in turned if it.place is not None and it.place.name in ("room", "door")}
-        behind |= {
-            name for name, it in turned if name in self.cornered and any(self._is(b, ("desk",)) for b in it.others)
-        }
+        cornered = ((name, it.others) for name, it in turned if name in self.cornered)
+        behind |= {name for name, others in cornered if any(self._is(b, ("desk",)) for b in others)}
         self.manned, self.surrounded = self.manned | behind, self.surrounded | behind
         self.metres = {
             two: link.metres for link, it in asked if link.relation == "apart" for two in it.twos

@@ -129,6 +129,7 @@ def _settle_by_others(link: Link) -> None:
     """Take tables between lounge seats for low ones, stools at counters for high ones, what parts or is looked at for screens."""
     to = [item.thing for item in mentions(link.objects)]
     heads, amid, around = {thing.head for thing in to}, link.relation == "amid", link.relation == "around"
+    at_tops = around or link.relation == "with"
     sat_on = link.relation in (*small.ORDERS, "facing")  # "eight cushions in two rows facing an altar"
     for thing in (mention.thing for mention in link.subjects if to or sat_on):
         if amid and heads <= small.LOUNGE and thing.noun.kind in small.TABLES and thing.noun.said != "dining table":
@@ -139,9 +140,7 @@ def _settle_by_others(link: Link) -> None:
             _take(thing, "kitchen sink")
         elif thing.noun.words == "stool" and any(other.noun.kind.endswith(small.HIGH) for other in to):
             _take(thing, "bar stool")
-        elif thing.noun.kind == "cushion" and (
-            sat_on or heads <= {"rug"} or ((around or link.relation == "with") and heads & small.TOPS)
-        ):
+        elif thing.noun.kind == "cushion" and (sat_on or heads <= {"rug"} or (at_tops and heads & small.TOPS)):
             _take(thing, "floor cushion")
         elif thing.noun.kind == "curtain" and (amid or around):
             _take(thing, "privacy screen")

@@ -135,6 +135,8 @@ class Relating(Spaces):
                 found.append(item)
             else:
                 break
+        if chunk.value == "way" and not found and self._ahead(-1).kind == "pron":
+            found = [*self.acted]  # "counters along both walls with a walkway between them"
         things = tuple(mentions(found)) if chunk.value == "light" else ()
         if self._ahead().kind == "rel" and mentions(found[-1:]):
             self.group = mentions(found[-1:])  # "a way to the desk by the bed"
@@ -427,9 +429,8 @@ class Relating(Spaces):
             self.holder, self.group, self.verb = subjects[:1], moved, False  # "flanked by a lamp on the left and ..."
             self._understood(chunk)
         elif moved and subjects:
-            filled = subjects[0].thing.head == "bookshelf" and not {"filled", "full", "stocked"}.isdisjoint(
-                chunk.adjectives
-            )
+            full = not {"filled", "full", "stocked"}.isdisjoint(chunk.adjectives)
+            filled = full and subjects[0].thing.head == "bookshelf"
             named = Chunk("rel", chunk.start, chunk.end, "in" if filled else small.REVERSED[chunk.value])
             each = chunk.value == "holds" and subjects[0].det == "each"  # "each holding a lamp and a clock"
             for together in [[mention] for mention in moved] if each else [moved]:

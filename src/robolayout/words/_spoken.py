@@ -124,6 +124,13 @@ class Spoken:
             self.zone = None if listed or (before == "and" and (zone.place or zone.area)) else zone
         if self.zone is not None and not mention.thing.spans[1:]:
             self.zone.things.append(mention)
+            area = self.zone.area
+            many = area.number or 1 if area is not None else 1
+            every = (
+                c for c in self.chunks[: self.at] if c.value == "each" and area is not None and c.start >= area.end
+            )
+            if many > 1 and mention.thing.times == 1 and any(every):
+                mention.thing.times = many  # "two seating groups, each with two armchairs"
 
     def _is_zone(self, chunk: Chunk) -> bool:
         """Return whether a side is a part of the room by what one does there: "the living part is on the left"."""
@@ -386,9 +393,8 @@ class Spoken:
             aside = relation in ("left", "right")  # "a desk before the window, a chair behind it" is behind the desk
             side = things[:1] or [item for item in objects[:1] if aside and place_in([item], "door", "window")]
             told = (small.OTHER_SIDE[relation], side) if relation in small.OTHER_SIDE else ("", [])
-            self.contrast = (
-                self.contrast if (relation == "on" or place_in(objects[:1], "wall")) and not told[0] else told
-            )
+            kept = not told[0] and (relation == "on" or place_in(objects[:1], "wall") is not None)
+            self.contrast = self.contrast if kept else told
         if things and (pronoun or (fronted and relation in small.AXES)):
             self.kept, self.axis, self.other = things[:1], "" if pronoun else small.AXES[relation], []
         elif not pronoun:
