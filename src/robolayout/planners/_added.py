@@ -12,6 +12,7 @@ import numpy as np
 
 from robolayout.planners._knowledge import DATA
 from robolayout.planners._roles import TOP_SHARE, stands_free
+from robolayout.planners._room_size import SIZES
 from robolayout.planners._wishes import INSTEAD, LOW, RoomWishes, head
 from robolayout.scene import FLAT_HEIGHT, Agent
 from robolayout.words import SHAPES, WATCHING, Link, NamedThing, mentions, named, place_in, visits
@@ -27,7 +28,6 @@ LARGER = 1.6  # how many times as large as usual a room is from which on it has 
 
 LIT = 22.0  # square metres that one ceiling lamp lights
 SPARE = 0.02  # metres between the top of a thing and the ceiling
-PASSAGE = 0.9  # metres that stay free all around a thing where no metres are said
 BROAD = 0.6  # metres of width from which on what flanks a thing takes the place of what usually stands there
 ON_A_RUG = 4  # seats of one kind that may stand around one rug
 
@@ -195,7 +195,7 @@ class Added:
 
     def _strip(self, link: Link) -> float:
         """Return how many square metres are asked to stay free all around some things; where no metres are said as a body needs."""
-        beyond = 2 * (link.metres[0] or PASSAGE)
+        beyond = 2 * (link.metres[0] or SIZES.way)
         sizes = (self.wishes.kinds[self.wishes.kind(m.thing)].size[:2] for m in link.subjects)
         return sum((deep + beyond) * (wide + beyond) - deep * wide for deep, wide in sizes)
 

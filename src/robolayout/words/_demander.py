@@ -56,8 +56,8 @@ class Demander(InOrder):
         sat_on = {a for a in self.put if self._is(a, small.SEATS)}
         seats = Counter(b for how, a, b in twos if how in ("with", "around") and a in sat_on)
         on_floor = [(how, a, b) for how, a, b in twos if self._asset(a).on_floor]
-        backed = {b for how, a, b in on_floor if how == "flank" or (how == "behind" and a not in sat_on)}
         self.backed = frozenset(b for how, a, b in on_floor if how == "behind" and a not in sat_on)
+        backed = self.backed.union(b for how, _, b in on_floor if how == "flank")
         self.surrounded = frozenset(backed.union(name for name, count in seats.items() if count > 2))
         self.surrounded |= self._seated_around(self.cornered) | (self.askew & self.cornered.keys())
         seated = (one for one in scene.assets if self._is(one.name, small.SEATS))
@@ -277,9 +277,9 @@ class Demander(InOrder):
 
     def _before_mirrors(self, subjects: Sequence[str], place: Place) -> Iterator[Demand]:
         """Yield that chairs are near the wall on which their mirrors hang: "along the wall, each in front of a mirror"."""
+        walls = [WallRef(wall.index) for wall in walls_meant(self.room, place)]
         for a in subjects:
             ref, most = AssetRef(a), round(ways_of.INTO[1] + self._asset(a).size[0], 2)
-            walls = [WallRef(wall.index) for wall in walls_meant(self.room, place)]
             hung = [stated("mounted_on", AssetRef(self.mirrors[a]), wall) for wall in walls]
             near = [stated("distance_constraint", ref, wall, None, most) for wall in walls]
             yield Demand(tuple(zip(hung, near, strict=True)))

@@ -31,9 +31,8 @@ class InOrder(AtSides):
             yield self.told.block(it.subjects)
             return
         desks = relation == "mutual" and self._is(it.subjects[0], ("desk",))  # who sits there looks over its back
-        backs = relation == "backs" or (
-            desks and self.huddled >= {*it.subjects}
-        )  # "a cluster of desks facing each other"
+        # "a cluster of desks facing each other"
+        backs = relation == "backs" or (desks and self.huddled >= {*it.subjects})
         if backs and len(it.subjects) % 2 == 0 and alike(self.scene, it.subjects):
             yield in_rows(it.subjects, 2, "paired")  # pairs one before the other would have no room before them
             return

@@ -125,12 +125,9 @@ class Spoken:
         if self.zone is not None and not mention.thing.spans[1:]:
             self.zone.things.append(mention)
             area = self.zone.area
-            many = area.number or 1 if area is not None else 1
-            every = (
-                c for c in self.chunks[: self.at] if c.value == "each" and area is not None and c.start >= area.end
-            )
-            if many > 1 and mention.thing.times == 1 and any(every):
-                mention.thing.times = many  # "two seating groups, each with two armchairs"
+            if area is not None and area.number and mention.thing.times == 1:
+                each = any(c.value == "each" and c.start >= area.end for c in self.chunks[: self.at])
+                mention.thing.times = area.number if each else 1  # "two seating groups, each with two armchairs"
 
     def _is_zone(self, chunk: Chunk) -> bool:
         """Return whether a side is a part of the room by what one does there: "the living part is on the left"."""
