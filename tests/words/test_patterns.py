@@ -352,6 +352,20 @@ def test_a_rule_puts_only_groups_that_take_part() -> None:
             {"office_chair": 5, "executive_desk": 1},
         ),
         ("A dining room with a table with four chairs and a desk.", {"chair": 4}),
+        ("An office with six workstations grouped in two islands of three desks.", {"desk": 6}),
+        (
+            "A lab with two lab benches and a sink. Microscopes are placed on the benches, two on each one.",
+            {"microscope": 4},
+        ),
+        ("A yoga studio with four mats and a rack with rolled mats.", {"yoga_mat": 4}),
+        ("A bathroom with a vanity with two sinks.", {"bathroom_vanity": 1, "washbasin": 0}),
+        ("A sunroom with a bistro set with two chairs.", {"bar_counter": 0, "chair": 2}),
+        ("A bank lobby with a teller counter. Two desks are along the left wall.", {"reception_desk": 1, "desk": 2}),
+        ("A pub with a bar with eight bar stools and three high tables with stools.", {"chair": 0}),
+        ("A barbershop with a cash desk beside the door.", {"reception_desk": 1, "checkout_counter": 0}),
+        ("A lounge with two swivel chairs.", {"office_chair": 0, "armchair": 2}),
+        ("A music room with a bookcase with sheet music.", {"blanket": 0}),
+        ("A living room with a basket of firewood.", {"lumber_rack": 0}),
     ],
 )
 def test_things_are_as_many_as_people_mean(said: str, counts: dict[str, int]) -> None:
@@ -373,3 +387,32 @@ def test_the_door_is_across_from_the_far_wall() -> None:
     far = int(re.findall(r"walls\[(\d)\]", row.understanding)[0])
     one, two = (scene.room.walls[i].normal for i in (far, scene.room.doors[0].wall))
     assert one[0] * two[0] + one[1] * two[1] < -0.9
+
+
+@pytest.mark.parametrize(
+    ("text", "meant"),
+    [
+        ("A living room with a sofa. A TV stand faces the sofa from the opposite wall.", "in_front_of(tv_stand-0, sofa-0"),
+        ("A salon with two chairs along the left wall. A bench is on the opposite wall.", "against_wall(bench-0, walls["),
+        ("A studio with a loveseat facing the window, with a coffee table between them.", "in_front_of(coffee_table-0, love"),
+        ("A bedroom with a loft bed over a desk.", "under(desk-0, [loft_bed-0])"),
+        ("A sunroom with a bookshelf against the only wall without windows.", "against_wall(bookshelf-0, walls["),
+        ("A gallery with four display cases standing in the middle in a square.", "in_rows([display_case-0"),
+        ("A gallery with six paintings on the walls. A bench faces the paintings on the left wall.", "point_towards(bench-0, ("),
+        ("A shop with a counter across the back wall.", "against_wall(checkout_counter-0, walls["),
+        ("A bathroom with a vanity with a plant and a mirror above it is on the back wall.", "against_wall(bathroom_vanity-0"),
+        ("A kitchen with a round table with four chairs. A clock hangs on the wall above the table.", "mounted_on(wall_clock-0), near("),
+        ("A bedroom with a bed against the wall, its headboard in the middle.", "centered_on(bed-0"),
+    ],
+)  # fmt: skip
+def test_sentences_of_models_are_understood(text: str, meant: str) -> None:
+    rows = _rows(text)
+    assert any(meant in row.understanding for row in rows), [row.understanding for row in rows]
+    assert not any(row.kind == "not understood" for row in rows)
+
+
+def test_what_is_on_the_opposite_wall_leaves_the_others_where_they_are() -> None:
+    """ "The opposite wall" once asked the chairs, which stand before mirrors, against theirs."""
+    text = "A barbershop with three barber chairs along the left wall, each in front of a mirror. A bench is on the opposite wall."
+    (row,) = [row for row in _rows(text) if "bench" in row.words and row.kind == "relation"]
+    assert row.things == ("bench-0",)

@@ -25,6 +25,8 @@ def wished_things(wishes: RoomWishes) -> dict[str, int]:
     heads = {head(name) for name in wished}
     heads |= {"chair"} if no_chairs(wished) and "table" in heads else set()
     heads |= {"chair"} if "stool" in heads and _at_a_counter(wished) else set()
+    stools = sum(count for name, count in wished.items() if head(name) == "stool")
+    heads |= {"chair"} if room.tables and stools >= people else set()  # all sit at the bar and at high tables
     heads |= {"laptop"} if heads & {"monitor", "computer"} else set()
     heads |= {"seat"} if heads & (LOUNGE | {"chair"}) else set()
     links = wishes.reading.parsed.links

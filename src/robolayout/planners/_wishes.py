@@ -222,6 +222,8 @@ class RoomWishes:
             return "single bed" if kind == "bed" and alone else kind  # "two children, each with a bed"
         low = LOW if thing.sat_at or thing.people else ()
         fits = [name for name in items if name.split()[-1] == word and name.split()[0] != word and name not in low]
+        others = {one.noun.kind for one in self.reading.parsed.things if one is not thing}
+        fits = [name for name in fits if name not in others or word != "desk"]  # "a counter, and two desks" in a bank
         if thing.noun.said == "small table":  # in a game room no pool table, beside a sofa no coffee table
             fits = [name for name in fits if name in (*LOW, *SMALL) and (thing.noun.others or kind not in LOW)]
             fits = fits or [name for name in (room.tables,) if name in SMALL and not nouns]  # in a cafe, by the window

@@ -235,7 +235,7 @@ class About(References):
         return True
 
     def _across_the_room(self, objects: Sequence[Item]) -> Sequence[Item]:
-        """Return what a relation leads to, the opposite wall told by the door or window of before: "a desk by the window, ..."."""
+        """Return what a relation leads to, the opposite wall told by the wall, door or window of before: "a desk by the window, ..."."""
         wall = place_in(objects[:1], "wall")
         if wall is None or wall.by or wall.plural or wall.words not in (("opposite",), ("opposing",)):
             return objects
@@ -243,6 +243,11 @@ class About(References):
         far = here[-1:] if any(place_in(k.objects[:1], "wall") for k in here) else here[::-1]
         said = (place_in(k.objects[:1], "window", "door") for k in (*far, *self.said.links[::-1]))
         at = [place for place in said if place is not None]
+        last = next(
+            (one for k in self.said.links[::-1] if (one := place_in(k.objects[:1], "wall", "window", "door"))), wall
+        )
+        if named_across := [small.ACROSS[word] for word in last.words if last.name == "wall" and word in small.ACROSS]:
+            return [replace(wall, words=tuple(named_across)), *objects[1:]]
         return [replace(wall, words=(), by=("opposite", at[0])), *objects[1:]] if at else objects
 
     def _walls(self, subjects: list[Mention], place: Place) -> list[Mention]:

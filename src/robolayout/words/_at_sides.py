@@ -50,6 +50,12 @@ def beside_doors(asked: Iterable[tuple[Link, Asked]]) -> dict[str, float]:
     return {a: turn for turn, it in there if place_in(it.places, "door") for a in it.subjects}
 
 
+def by_doors(asked: Iterable[tuple[Link, Asked]]) -> dict[str, Place]:
+    """Return what is asked to be near a door, with which one."""
+    doors = ((it.subjects, it.place) for link, it in asked if link.relation in ("by", "next", "near") and it.place)
+    return {name: place for names, place in doors if place.name == "door" for name in names}
+
+
 def parted(asked: Iterable[tuple[Link, Asked]]) -> frozenset[str]:
     """Return what is asked to opposite walls: what is between that may be far from both."""
     walls = ((it.subjects, it.place) for _, it in asked if it.place is not None and it.place.name == "wall")
@@ -105,6 +111,9 @@ class AtSides(HowFar):
     hung: Mapping[str, int]
     """What is asked onto one wall, with its number."""
 
+    near_doors: Mapping[str, Place]
+    """What is asked to be near a door, with which one."""
+
     def _cleared(self, subjects: Sequence[str], place: str, metres: float) -> Iterator[Demand]:
         """Yield that so much floor, or what the body needs, is free at one of some sides of things: no thing stands there, and no wall."""
         free, sides = metres or round(2 * self.scene.agents[0].radius, 2), place.split(" or ")
@@ -136,6 +145,7 @@ class AtSides(HowFar):
         below = self._asset(b).on_wall or self._asset(b).on_ceiling
         if below and not self._asset(b).on_floor:
             at = [stated("against_wall", AssetRef(a), WallRef(self.hung[b]))] if b in self.hung else []
+            at += [stated("near", AssetRef(a), to, ways_of.AT_DOOR) for to in self._points(self.near_doors.get(b))[:1]]
             return Demand(((stated("above", AssetRef(b), AssetRef(a)), *at * self._asset(a).on_floor),))
         if self._asset(a).is_flat:
             return None
@@ -164,6 +174,10 @@ class AtSides(HowFar):
             return
         hung, many = dict[str, list[str]](), Counter(b for _, b in it.twos)
         for a, b in it.twos:
+            if self._only_wall(a) and b in self.surrounded and self._is(b, ("table",)):  # on the wall by its seats
+                near = stated("near", AssetRef(a), AssetRef(b), ways_of.NEAR)
+                yield Demand(((stated("mounted_on", AssetRef(a)), near),))
+                continue
             row, fit = hung.setdefault(b, []), many[b]
             if self._only_wall(a):
                 rows = math.ceil(many[b] / math.ceil(self._asset(b).size[1] / self._asset(a).size[1]))

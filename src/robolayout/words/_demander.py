@@ -15,6 +15,7 @@ from robolayout.words import _function_words as small
 from robolayout.words import _ways as ways_of
 from robolayout.words._at_sides import (
     beside_doors,
+    by_doors,
     in_corners,
     lit_between,
     on_one_wall,
@@ -40,11 +41,11 @@ class Demander(InOrder):
         self.stacked = {thing for link in links if link.relation == "stacked" for thing in named(link.subjects)}
         asked = [(link, self._asked(link)) for link in links]
         self.shelved = dict(shelved(scene.by_name, asked))
-        self.parted = parted(asked)
-        self.amid_lit = lit_between(asked)
+        self.parted, self.amid_lit = parted(asked), lit_between(asked)
         self.cornered, self.beside, self.hung = in_corners(asked), beside_doors(asked), on_one_wall(asked, self.room)
-        along = (it for _, it in asked if it.place is not None and it.place.at_one_wall)
-        self.lined = {a for it in along for a in it.subjects}  # all at the same wall
+        self.near_doors = by_doors(asked)
+        # at the same wall
+        self.lined = {a for _, it in asked if it.place and it.place.at_one_wall for a in it.subjects}
         self.askew = {name for link, it in asked if link.relation == "diagonal" for name in it.subjects}
         twos = [(link.relation, *two) for link, it in asked for two in it.twos]
         self.mirrors = {a: b for how, a, b in twos if how == "front" and self._into_a_mirror(a, b)}
@@ -53,6 +54,7 @@ class Demander(InOrder):
         self.placed = self.put.union(a for _, it in asked if it.place is not None for a in it.subjects)
         self.below = {a: b for how, a, b in twos if how == "above" and self._is(a, small.WATCHED)}
         self.across = {frozenset((a, b)) for how, a, b in twos if how == "opposite"}
+        self.at_side = {b: how for how, _, b in twos if how in ("left", "right")}
         sat_on = {a for a in self.put if self._is(a, small.SEATS)}
         seats = Counter(b for how, a, b in twos if how in ("with", "around") and a in sat_on)
         on_floor = [(how, a, b) for how, a, b in twos if self._asset(a).on_floor]
@@ -60,12 +62,12 @@ class Demander(InOrder):
         backed = self.backed.union(b for how, _, b in on_floor if how == "flank")
         self.surrounded = frozenset(backed.union(name for name, count in seats.items() if count > 2))
         self.surrounded |= self._seated_around(self.cornered) | (self.askew & self.cornered.keys())
-        seated = (one for one in scene.assets if self._is(one.name, small.SEATS))
-        hosted = any(not ways_of.visits(one.category) for one in seated)
+        hosted = any(self._is(one.name, small.SEATS) and not ways_of.visits(one.category) for one in scene.assets)
         # desks with a seat behind them
         at = [(how, a, b) for how, a, b in twos if self._is(b, ("desk",)) and self._sits_behind(a, b)]
         visited = {b for _, a, b in at if hosted and ways_of.visits(self._asset(a).category)}
         self.manning = {(a, b) for how, a, b in at if how == "behind"}
+        self.hosting = visited.intersection(b for _, b in self.manning)
         self.manned = visited.union(b for _, b in self.manning)
         # desks at which somebody looks at what is told; of these, those that look at who comes in
         turned = [(name, it) for link, it in asked if link.relation == "facing" for name in it.subjects]
@@ -264,7 +266,7 @@ class Demander(InOrder):
             looks = self._is(a, small.SEATS) and self._is(b, (*small.WATCHED, "stand"))
             return ((("in_front_of", 0.0, self._told(a, b)), *((("point_towards",),) * looks)),)
         watching = self._is(a, small.SEATS) and self._is(b, small.WATCHED) and a not in self.askew
-        if relation == "front" and watching:
+        if relation == "front" and watching and self._asset(b).category != "backdrop":
             return ways_of.BEFORE_WATCHED
         if relation == "front" and self._into_a_mirror(a, b):
             return ways_of.BEFORE_A_MIRROR

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence, Set
+from collections.abc import Iterator, Mapping, Sequence, Set
 from itertools import pairwise
 
 from robolayout.assets import category_of
@@ -18,6 +18,9 @@ from robolayout.words.demands import Demand, by_ways, single, stated
 
 class InOrder(AtSides):
     """Says what it asks of several things to stand in some order."""
+
+    at_side: Mapping[str, str]
+    """At which side of a thing something else is."""
 
     huddled: Set[str]
     """What is asked to stand together."""
@@ -77,6 +80,15 @@ class InOrder(AtSides):
             relation = "abreast apart"
         elif relation == "abreast" and not same:
             relation = "together"
+        told = (
+            [(a, b) for a, b in (it.subjects, it.subjects[::-1]) if b in self.at_side] if len(it.subjects) == 2 else []
+        )
+        if (
+            relation == "together" and told
+        ):  # "a washer and a dryer next to each other, a sink to the right of the dryer"
+            free = ("next_to", small.OTHER_SIDE[self.at_side[told[0][1]]], ways_of.AT_TABLE)
+            yield by_ways(((free,), *ways_of.IN_A_CHAIN[relation]), *told[0])
+            return
         ways, middle = self.told.chained(relation, it.subjects[0]), len(it.subjects) // 2
         chains = (it.subjects[middle::-1], it.subjects[middle:]) if relation == "abreast" else (it.subjects,)
         yield from (by_ways(ways, b, a) for chain in chains for a, b in pairwise(chain))

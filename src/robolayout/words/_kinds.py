@@ -11,7 +11,7 @@ from robolayout.scene import FLAT_HEIGHT
 from robolayout.words import _function_words as small
 from robolayout.words._chunk import Chunk
 from robolayout.words._lexicon import grammar
-from robolayout.words._said import Link, NamedThing, Parsed, Place, mentions, named, place_in
+from robolayout.words._said import Link, Mention, NamedThing, Parsed, Place, mentions, named, place_in
 
 
 def settle_kinds(parsed: Parsed) -> None:
@@ -26,6 +26,7 @@ def settle_kinds(parsed: Parsed) -> None:
     _settle_by_company(parsed, heads)
     _settle_visitors(parsed)
     _settle_drawn(parsed)
+    _settle_on_stands(parsed)
     for thing in parsed.things:
         if thing.noun.said == "keyboard" and music:
             _take(thing, "digital piano")
@@ -67,7 +68,7 @@ def _settle_by_company(parsed: Parsed, heads: Set[str]) -> None:
     rooms = {chunk.value for chunk in parsed.facts if chunk.kind == "room"}
     lives = {(chunk.kind, chunk.value) for chunk in parsed.facts if chunk.kind in ("body", "people")}
     pets = bool(lives) and not rooms and all(kind == "body" and body in small.PETS for kind, body in lives)
-    kinds = {thing.noun.kind for thing in parsed.things}
+    kinds, taken = {thing.noun.kind for thing in parsed.things}, dict[str, str]()
     bar = kinds & small.COUNTERS and not heads & {"table", "desk", "piano", "bench"}
     played = kinds & small.INSTRUMENTS and not heads & {"table", "desk"}
     for thing in parsed.things:
@@ -79,7 +80,9 @@ def _settle_by_company(parsed: Parsed, heads: Set[str]) -> None:
             _take(thing, "bathroom vanity")
         elif meant := small.OF_ROOMS.get(thing.noun.said, {}).keys() & rooms:
             kind = small.OF_ROOMS[thing.noun.said][min(meant)]
-            _take(thing, thing.noun.kind if kind in kinds else kind)  # "a bench and a workbench"
+            # "a bench and a workbench", "a counter and two desks" in a bank
+            other = kind in kinds or taken.setdefault(kind, thing.noun.said) != thing.noun.said
+            _take(thing, thing.noun.kind if other else kind)
         elif thing.noun.said in small.OF_PETS and (pets or thing.of_pet):
             _take(thing, f"pet {thing.noun.said}")
             thing.of_pet = True
@@ -118,6 +121,21 @@ def _settle_drawn(parsed: Parsed) -> None:
         parsed.facts += [Chunk("function", *span, thing.noun.said) for span in thing.spans]
         about = (replace(k, subjects=tuple(one for one in k.subjects if one.thing is not thing)) for k in parsed.links)
         parsed.links[:] = [link for link in about if link.subjects or link.relation in ("bare", "faced")]
+
+
+def _settle_on_stands(parsed: Parsed) -> None:
+    """Say of the stand what is said of the one thing on it: "a camera on a tripod stands 2 m before a stool"."""
+    borne = dict[NamedThing, Mention]()
+    for link in parsed.links:
+        stand = next(
+            (m for m in mentions(link.objects) if link.relation == "on" and m.thing.head in small.STANDS), None
+        )
+        borne |= {m.thing: stand for m in link.subjects[:1] if stand is not None and m.thing.category.on_object}
+    for i, link in enumerate(parsed.links):
+        if link.relation != "on":
+            subjects = tuple(borne.get(m.thing, m) for m in link.subjects)
+            objects = tuple(borne.get(o.thing, o) if isinstance(o, Mention) else o for o in link.objects)
+            parsed.links[i] = replace(link, subjects=subjects, objects=objects)
 
 
 def _take(thing: NamedThing, kind: str) -> None:

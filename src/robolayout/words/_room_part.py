@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from robolayout.words import _function_words as small
 from robolayout.words._chunk import Chunk
@@ -24,6 +24,7 @@ class RoomPart:
         """Yield where its things stand, given what is said of them: all in a half of the room, else the first at the place."""
         if self.area is not None:
             yield from self._furnished(self.area, said)
+            yield from self._together(self.area, said)
         if self.place is None:
             return
         chunk, objects = self.place
@@ -73,3 +74,19 @@ class RoomPart:
         alone = area.value != "kitchen" and times == 1
         near = [m for m in others if alone and not m.sat_on]
         yield from (Link("near", (other,), (first,), area.start, area.end) for other in near[:1])
+
+    def _together(self, area: Chunk, said: Parsed) -> Iterator[Link]:
+        """Yield that what is named as being there, and of which nothing else is said, is near what stands for it."""
+        apart = (
+            self.place is not None and place_in(self.place[1], "side") is not None
+        )  # all are in one half of the room
+        standing = [m for m in self.things if m.thing.category.on_floor and not (m.thing.implied or apart)]
+        standing.sort(key=lambda m: m.flat)
+        told = {thing for k in said.links for thing in (*named(k.subjects), *named(k.objects))}
+        if area.value not in small.GATHERED or (area.number or 1 + area.plural) > 1 or not standing:
+            return
+        first, *others = standing
+        for thing in (m.thing for m in others if first.thing.head in small.LOUNGE and not m.thing.promising):
+            if thing.noun.kind == "round table":  # one does not eat at it
+                thing.noun = replace(thing.noun, words="side table", kind="side table", others=())
+        yield from (Link("near", (m,), (first,), area.start, area.end) for m in others if m.thing not in told)
