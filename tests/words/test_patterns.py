@@ -366,6 +366,15 @@ def test_a_rule_puts_only_groups_that_take_part() -> None:
         ("A lounge with two swivel chairs.", {"office_chair": 0, "armchair": 2}),
         ("A music room with a bookcase with sheet music.", {"blanket": 0}),
         ("A living room with a basket of firewood.", {"lumber_rack": 0}),
+        ("A cafeteria with eight tables, each with benches on both sides.", {"bench": 16}),
+        ("A school with trash and recycling bins next to the door.", {"trash_can": 2}),
+        ("A pharmacy with three aisles of shelves.", {"shop_shelf": 9}),
+        ("An architect's studio with a drafting table.", {"bed": 0}),
+        ("A home gym in a basement with a treadmill.", {"treadmill": 1, "unknown": 0}),
+        (
+            "A baby's room with a crib and a nursing chair with a small round table beside it.",
+            {"chair": 0, "side_table": 1},
+        ),
     ],
 )
 def test_things_are_as_many_as_people_mean(said: str, counts: dict[str, int]) -> None:
@@ -403,6 +412,14 @@ def test_the_door_is_across_from_the_far_wall() -> None:
         ("A bathroom with a vanity with a plant and a mirror above it is on the back wall.", "against_wall(bathroom_vanity-0"),
         ("A kitchen with a round table with four chairs. A clock hangs on the wall above the table.", "mounted_on(wall_clock-0), near("),
         ("A bedroom with a bed against the wall, its headboard in the middle.", "centered_on(bed-0"),
+        ("A veranda. A round table with four chairs is on the right.", "zone(round_table-0"),
+        ("A training room. A table with coffee and snacks is along the back wall.", "against_wall(dining_table-0, walls["),
+        ("A coffee shop. Six round tables are scattered in the center.", "distance_constraint(round_table-0"),
+        ("A jewelry store. Display cases form a U around the center, where a round table stands.", "in_shape([display_case-0"),
+        ("A kitchen. The island is parallel to the counter on the back wall, one meter away from it.", "1 to 1.3 m from kitchen"),
+        ("A workshop with a sink in the corner. A refrigerator with glass doors is near the sink.", "near(fridge-0, washbasin-0"),
+        ("A home gym. The power rack is against the back wall in the middle.", "centered_on(squat_rack-0, walls["),
+        ("A living room with a sectional sofa in the corner. The TV console is on the opposite wall.", "against_wall(tv_stand-0, wa"),
     ],
 )  # fmt: skip
 def test_sentences_of_models_are_understood(text: str, meant: str) -> None:

@@ -392,7 +392,7 @@ def _settle_seats(chairs: Sequence[NamedThing], wishes: RoomWishes) -> None:
     for thing in chairs if len(tops) == 1 else ():
         each = 1 if tops[0].head == "desk" else BENCHES if thing.head == "bench" else room.at_table
         usual = tops[0].count * each
-        thing.number = usual if usual > 1 and not wishes.placed(thing) else thing.number
+        thing.number = max(1, usual // thing.times) if usual > 1 and not wishes.placed(thing) else thing.number
 
 
 def _settle_number(thing: NamedThing, wishes: RoomWishes) -> None:

@@ -106,16 +106,23 @@ def askew(room: Room, yaw: float) -> float:
     return off if STRAIGHT < abs(off) < ASKEW else 0.0
 
 
+def _came_askew(problem: Problem, world: Floats, slot: int) -> float:
+    """Return the radians by which a thing came to stand askew; 0 of what is meant to stand so."""
+    off = askew(problem.scene.room, math.atan2(world[slot, 3], world[slot, 2]))
+    name = problem.names[slot]
+    meant = name in problem.guessed and math.dist(problem.start[slot, 2:], world[slot, 2:]) < SAME
+    return 0.0 if meant or name in problem.pinned else off
+
+
 def squared(problem: Problem, world: Floats, no_worse: Callable[[Floats], bool]) -> Floats:
     """Return poses (n, 4) in which what came to stand a little askew is square to a wall again.
 
     Where it has to look at something, it also slides sideways until it looks straight at it; where it would leave its rug, the
-    rug comes along a little. What the program has askew stays so.
+    rug comes along a little. What cannot turn alone turns with all that is askew by the same angle: two sofas that face each
+    other. What the program has askew stays so.
     """
-    for slot, name in enumerate(problem.names):
-        off = askew(problem.scene.room, math.atan2(world[slot, 3], world[slot, 2]))
-        meant = name in problem.guessed and math.dist(problem.start[slot, 2:], world[slot, 2:]) < SAME
-        if not off or meant or name in problem.pinned:
+    for slot in range(len(problem.names)):
+        if not (off := _came_askew(problem, world, slot)):
             continue
         turned = compose(world[slot], np.array([0.0, 0.0, math.cos(off), -math.sin(off)]))
         mine = [(other, row) for one, other, row in problem.pairs if one == slot]
@@ -132,6 +139,14 @@ def squared(problem: Problem, world: Floats, no_worse: Callable[[Floats], bool])
             if no_worse(trial):
                 world = trial
                 break
+    offs = {slot: _came_askew(problem, world, slot) for slot, parent in enumerate(problem.parent) if parent < 0}
+    for angle in dict.fromkeys(round(math.degrees(off)) for off in offs.values() if off):
+        slots = [slot for slot, off in offs.items() if round(math.degrees(off)) == angle]
+        off, middle = offs[slots[0]], np.array([*world[slots, :2].mean(axis=0), 1.0, 0.0])
+        trial, turned = world.copy(), compose(middle, np.array([0.0, 0.0, math.cos(off), -math.sin(off)]))
+        for slot in slots:
+            carry(problem, trial, slot, compose(turned, relative(middle, world[slot])))
+        world = trial if len(slots) > 1 and no_worse(trial) else world
     return world
 
 

@@ -263,7 +263,7 @@ class About(References):
         there = [m for k in at for m in k.subjects if m.thing not in named(subjects)]
         if not {"opposite", "opposing"} & {*place.words}:
             return []
-        spoken = (*self.targets, *self.recent, *self.group)
+        spoken = (*self.spoken, *self.targets, *self.recent, *self.group)
         there = there or [m for m in spoken if m.walled and m.thing not in named(subjects)][-1:]
         self.said.missed += [] if there else [self._ahead(-1)]
         return there

@@ -143,6 +143,12 @@ def _take(thing: NamedThing, kind: str) -> None:
     thing.noun = replace(thing.noun, words=kind, kind=kind, others=())
 
 
+def _is_small_table(thing: NamedThing) -> bool:
+    """Return whether a thing is a small table with no seats of its own: "a nursing chair with a small round table beside it"."""
+    round_one = thing.noun.kind == "round table" and {"small", "little"} & {*thing.adjectives} and not thing.promising
+    return bool(round_one) or (thing.noun.said == "small table" and bool(thing.noun.others))
+
+
 def _settle_by_others(link: Link) -> None:
     """Take tables between lounge seats for low ones, stools at counters for high ones, what parts or is looked at for screens."""
     to = [item.thing for item in mentions(link.objects)]
@@ -152,7 +158,7 @@ def _settle_by_others(link: Link) -> None:
     for thing in (mention.thing for mention in link.subjects if to or sat_on):
         if amid and heads <= small.LOUNGE and thing.noun.kind in small.TABLES and thing.noun.said != "dining table":
             _take(thing, "coffee table" if "sofa" in heads else "side table")
-        elif thing.noun.said == "small table" and thing.noun.others and link.relation in (*small.AT_SIDES, "front"):
+        elif _is_small_table(thing) and link.relation in (*small.AT_SIDES, "front"):
             _take(thing, "coffee table" if link.relation == "front" and heads <= small.LOUNGE else "side table")
         elif thing.noun.said == "sink" and heads & {"island", "counter"}:
             _take(thing, "kitchen sink")
