@@ -226,17 +226,29 @@ def _aside(room: Room, wall: int, along: float, wishes: RoomWishes, full: Set[in
     aside = {link.relation for link in at} if wide > OPENINGS.flanked else set[str]()
     if len(aside) == 1:  # most of the wall is on that side, seen from within
         return max(along, 1.0 - along) if aside == {"left"} else min(along, 1.0 - along)
+    beside = ((wall - 1) % len(room.walls), (wall + 1) % len(room.walls))
+    near = [to in _by_doors(room, wishes.reading) for to in beside]
+    if near[0] != near[1]:  # "a bookshelf on the left wall next to the door"
+        return max(along, 1.0 - along) if near[0] else min(along, 1.0 - along)
     told = _placed(room, wishes, "corner")
     corners = ((walls, kinds) for walls, kinds in told if len(walls) == 2)
     # a printer, too, on what bears it
     meant = [walls for walls, kinds in corners if any({"floor", "object"} & {*kind.places} for kind in kinds)]
-    beside = ((wall - 1) % len(room.walls), (wall + 1) % len(room.walls))
     start, end = (
         2 * any(all({wall, to} & {*walls} for walls in pair) for pair in meant) + (to in full) for to in beside
     )
     if start == end:
         return 0.5 if start > 1 else along
     return min(along, 1.0 - along) if start > end else max(along, 1.0 - along)
+
+
+def _by_doors(room: Room, reading: Reading) -> set[int]:
+    """Return the walls at which something is asked to be that is also asked to be by a door."""
+    links = reading.parsed.links
+    near = (link.subjects for link in links if link.relation in ("by", "next", "near") and places(link.objects, "door"))
+    by_doors = {thing for subjects in near for thing in named(subjects)}
+    walls = (at for link in links if by_doors & named(link.subjects) for at in places(link.objects, "wall") if at.words)
+    return {wall for place in walls for wall in _meant(room, place)}
 
 
 def _windows(
