@@ -6,12 +6,13 @@ import numpy as np
 import pytest
 from solve_rooms import BED, LAMP, QUICK, STANDS, TABLE, problem_of, room_of
 
+from robolayout._geometry import compose
 from robolayout.run.flow import solve
 from robolayout.scene import Asset, Pose
 from robolayout.solve import Problem
-from robolayout.solve.repair import MENDING, Repair
+from robolayout.solve.repair import MENDING, Repair, _on_its_top
 from robolayout.solve.runner import Runner, SearchRun
-from robolayout.solve.stage import make_stage, stages
+from robolayout.solve.stage import make_stage, relative, stages
 from robolayout.verify import physics
 
 WARDROBE = Asset("wardrobe-0", "wardrobe", (0.6, 1.6, 2.1))
@@ -120,3 +121,15 @@ solver.on_top_of(lamp[0], side_table[0])
     assert (
         abs(layout["lamp-0"].x - layout["side_table-0"].x) < 0.21 > abs(layout["lamp-0"].y - layout["side_table-0"].y)
     )
+
+
+def test_what_overhangs_its_top_a_little_may_stay_so_and_what_is_beside_it_comes_back() -> None:
+    """A meat slicer that a walker reaches only at the very edge of its counter was kept in the middle."""
+    problem = problem_of(room_of(TABLE, LAMP), "solver.on_top_of(lamp[0], table[0])")
+    lamp, table = problem.slot["lamp-0"], problem.slot["table-0"]
+    hx, _ = problem.half[table]
+    at = np.array([[hx - 0.01, 0.0, 1.0, 0.0], [hx + 0.5, 0.0, 1.0, 0.0]])
+    found = _on_its_top(problem, lamp, compose(problem.start[table], at), problem.start)
+    kept, back, *others = relative(problem.start[table], found)
+    assert kept == pytest.approx(at[0])
+    assert back[0] == pytest.approx(hx - problem.half[lamp][0]) == max(x for x, *_ in others)

@@ -151,7 +151,9 @@ class Added:
             faced |= {"sofa", *screens}  # all sit around a coffee table, or on a rug
         faced |= {"sofa"} if "sofa" not in self.asked and lounge else set()  # in the armchairs that look at something
         named_too = screens & {role.name for role in wishes.playing(self.wished).values()}
-        faced |= screens if named_too and "television" not in self.asked else set()  # a TV may have its stand
+        thrown = any(wishes.kind(to.thing) == "projection screen" for _, seen in pairs for to in mentions(seen))
+        # a TV may have its stand, a projector's picture has none
+        faced |= screens if thrown or (named_too and "television" not in self.asked) else set()
         borne = chain(*(self._companions(wishes.kind(to.thing)) for _, seen in pairs for to in mentions(seen)))
         unseen = {name for name, role in playing.items() if role.name in faced} - {*borne}  # the stand of the TV
         return unseen | {name for name in usual if unseen & self._companions(name).keys()}

@@ -135,7 +135,7 @@ class Repair:
 
 
 def _on_its_top(problem: Problem, slot: int, poses: Floats, world: Floats) -> Floats:
-    """Return the poses (m, 4) nearest to some of a slot at which it lies on what carries it, and such all over that top."""
+    """Return some poses of a slot (m, 4), those beside what carries it at the nearest place on it, and such all over that top."""
     middle, half = on_top(problem, slot, world[problem.parent[slot]])
     spread = np.linspace(-1.0, 1.0, MENDING.on_a_top)
     at = np.array([(x * half[0], y * half[1]) for x in spread for y in spread])
@@ -145,7 +145,8 @@ def _on_its_top(problem: Problem, slot: int, poses: Floats, world: Floats) -> Fl
     hx, hy = problem.half[slot]
     c, s = np.abs(local[:, 2:]).T
     slack = np.maximum(half - np.column_stack([c * hx + s * hy, s * hx + c * hy]), 0.0)
-    local[:, :2] = np.clip(local[:, :2], -slack, slack)
+    beside = (np.abs(local[:, :2]) > half).any(axis=1) | (np.arange(len(local)) >= len(poses))
+    local[beside, :2] = np.clip(local[beside, :2], -slack[beside], slack[beside])
     return compose(middle, local)
 
 
