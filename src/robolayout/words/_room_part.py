@@ -77,13 +77,14 @@ class RoomPart:
 
     def _together(self, area: Chunk, said: Parsed) -> Iterator[Link]:
         """Yield that what is named as being there, and of which nothing else is said, is near what stands for it."""
-        apart = (
-            self.place is not None and place_in(self.place[1], "side") is not None
-        )  # all are in one half of the room
-        standing = [m for m in self.things if m.thing.category.on_floor and not (m.thing.implied or apart)]
+        # all are in that half of the room
+        halved = self.place is not None and place_in(self.place[1], "side") is not None
+        if halved or area.value not in small.GATHERED or (area.number or 1 + area.plural) > 1:
+            return
+        standing = [m for m in self.things if m.thing.category.on_floor and not m.thing.implied]
         standing.sort(key=lambda m: m.flat)
         told = {thing for k in said.links for thing in (*named(k.subjects), *named(k.objects))}
-        if area.value not in small.GATHERED or (area.number or 1 + area.plural) > 1 or not standing:
+        if not standing:
             return
         first, *others = standing
         for thing in (m.thing for m in others if first.thing.head in small.LOUNGE and not m.thing.promising):
