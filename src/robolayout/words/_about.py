@@ -243,9 +243,8 @@ class About(References):
         far = here[-1:] if any(place_in(k.objects[:1], "wall") for k in here) else here[::-1]
         said = (place_in(k.objects[:1], "window", "door") for k in (*far, *self.said.links[::-1]))
         at = [place for place in said if place is not None]
-        last = next(
-            (one for k in self.said.links[::-1] if (one := place_in(k.objects[:1], "wall", "window", "door"))), wall
-        )
+        there = (place_in(k.objects[:1], "wall", "window", "door") for k in self.said.links[::-1])
+        last = next(filter(None, there), wall)
         if named_across := [small.ACROSS[word] for word in last.words if last.name == "wall" and word in small.ACROSS]:
             return [replace(wall, words=tuple(named_across)), *objects[1:]]
         return [replace(wall, words=(), by=("opposite", at[0])), *objects[1:]] if at else objects

@@ -80,12 +80,8 @@ class InOrder(AtSides):
             relation = "abreast apart"
         elif relation == "abreast" and not same:
             relation = "together"
-        told = (
-            [(a, b) for a, b in (it.subjects, it.subjects[::-1]) if b in self.at_side] if len(it.subjects) == 2 else []
-        )
-        if (
-            relation == "together" and told
-        ):  # "a washer and a dryer next to each other, a sink to the right of the dryer"
+        two = (it.subjects, it.subjects[::-1]) if relation == "together" and len(it.subjects) == 2 else ()
+        if told := [(a, b) for a, b in two if b in self.at_side]:  # a washer by a dryer that has a sink to its right
             free = ("next_to", small.OTHER_SIDE[self.at_side[told[0][1]]], ways_of.AT_TABLE)
             yield by_ways(((free,), *ways_of.IN_A_CHAIN[relation]), *told[0])
             return

@@ -126,13 +126,11 @@ def _settle_drawn(parsed: Parsed) -> None:
 def _settle_on_stands(parsed: Parsed) -> None:
     """Say of the stand what is said of the one thing on it: "a camera on a tripod stands 2 m before a stool"."""
     borne = dict[NamedThing, Mention]()
-    for link in parsed.links:
-        stand = next(
-            (m for m in mentions(link.objects) if link.relation == "on" and m.thing.head in small.STANDS), None
-        )
-        borne |= {m.thing: stand for m in link.subjects[:1] if stand is not None and m.thing.category.on_object}
+    for link in (link for link in parsed.links if link.relation == "on"):
+        stands = [m for m in mentions(link.objects) if m.thing.head in small.STANDS]
+        borne |= {m.thing: stands[0] for m in link.subjects[:1] if stands and m.thing.category.on_object}
     for i, link in enumerate(parsed.links):
-        if link.relation != "on":
+        if link.relation != "on" and not {m.thing for m in borne.values()} & named(link.objects):
             subjects = tuple(borne.get(m.thing, m) for m in link.subjects)
             objects = tuple(borne.get(o.thing, o) if isinstance(o, Mention) else o for o in link.objects)
             parsed.links[i] = replace(link, subjects=subjects, objects=objects)
