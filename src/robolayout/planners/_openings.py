@@ -13,7 +13,9 @@ from robolayout.scene import Opening, Room
 from robolayout.words import (
     AT_SIDES,
     COMPASS,
+    NEARBY,
     Link,
+    NamedThing,
     Place,
     Reading,
     grammar,
@@ -156,8 +158,13 @@ def _at_a_wall(room: Room, reading: Reading) -> list[int]:
     links = reading.parsed.links
     between = (link.subjects for link in links if link.relation == "amid" and places(link.objects, "window"))
     amid = {thing for subjects in between for thing in named(subjects)}
-    told = (at for link in links if amid & named(link.subjects) for at in places(link.objects, "wall") if at.words)
-    return [wall for place in told for wall in _meant(room, place)]
+    return [wall for walls in _walls_told(room, reading, amid) for wall in walls]
+
+
+def _walls_told(room: Room, reading: Reading, things: Set[NamedThing]) -> list[list[int]]:
+    """Return the walls that are meant where one of some things is asked to be at a wall that is told."""
+    about = (link for link in reading.parsed.links if things & named(link.subjects))
+    return [_meant(room, at) for link in about for at in places(link.objects, "wall") if at.words]
 
 
 def _placed(room: Room, wishes: RoomWishes, name: str) -> Iterator[tuple[list[list[int]], list[Category]]]:
@@ -187,8 +194,7 @@ def _held_besides(
         yield [_meant(room, Place("wall", ("back",)))], there
     mirrors = [wishes.kinds[m.thing.noun.kind] for m in mentions(link.objects) if m.thing.noun.kind == "mirror"]
     if mirrors and link.relation == "front" and sum(m.count for m in link.subjects) > 2:  # chairs, each before its own
-        along = (k for k in wishes.reading.parsed.links if named(k.subjects) & named(link.subjects))
-        told = [_meant(room, at) for k in along for at in places(k.objects, "wall") if at.words]
+        told = _walls_told(room, wishes.reading, named(link.subjects))
         yield told or [_meant(room, Place("wall", ("long",)))], mirrors
     ends, doors = mentions(link.objects), places(link.objects, "door")
     hung = [k for k in wishes.reading.parsed.links if k.relation == "above" and named(k.objects) & named(link.subjects)]
@@ -227,7 +233,11 @@ def _aside(room: Room, wall: int, along: float, wishes: RoomWishes, full: Set[in
     if len(aside) == 1:  # most of the wall is on that side, seen from within
         return max(along, 1.0 - along) if aside == {"left"} else min(along, 1.0 - along)
     beside = ((wall - 1) % len(room.walls), (wall + 1) % len(room.walls))
-    near = [to in _by_doors(room, wishes.reading) for to in beside]
+    by_doors = {
+        thing for k in links if k.relation in NEARBY and places(k.objects, "door") for thing in named(k.subjects)
+    }
+    told_walls = {wall for walls in _walls_told(room, wishes.reading, by_doors) for wall in walls}
+    near = [to in told_walls for to in beside]
     if near[0] != near[1]:  # "a bookshelf on the left wall next to the door"
         return max(along, 1.0 - along) if near[0] else min(along, 1.0 - along)
     told = _placed(room, wishes, "corner")
@@ -240,15 +250,6 @@ def _aside(room: Room, wall: int, along: float, wishes: RoomWishes, full: Set[in
     if start == end:
         return 0.5 if start > 1 else along
     return min(along, 1.0 - along) if start > end else max(along, 1.0 - along)
-
-
-def _by_doors(room: Room, reading: Reading) -> set[int]:
-    """Return the walls at which something is asked to be that is also asked to be by a door."""
-    links = reading.parsed.links
-    near = (link.subjects for link in links if link.relation in ("by", "next", "near") and places(link.objects, "door"))
-    by_doors = {thing for subjects in near for thing in named(subjects)}
-    walls = (at for link in links if by_doors & named(link.subjects) for at in places(link.objects, "wall") if at.words)
-    return {wall for place in walls for wall in _meant(room, place)}
 
 
 def _windows(

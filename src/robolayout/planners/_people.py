@@ -25,8 +25,9 @@ def wished_things(wishes: RoomWishes) -> dict[str, int]:
     heads = {head(name) for name in wished}
     heads |= {"chair"} if no_chairs(wished) and "table" in heads else set()
     heads |= {"chair"} if "stool" in heads and _at_a_counter(wished) else set()
-    stools = sum(count for name, count in wished.items() if head(name) == "stool")
-    heads |= {"chair"} if room.tables and stools >= people else set()  # all sit at the bar and at high tables
+    heads |= (
+        {"chair"} if room.tables and _count(wished, "stool") >= people else set()
+    )  # all sit at the bar and at high tables
     heads |= {"laptop"} if heads & {"monitor", "computer"} else set()
     heads |= {"seat"} if heads & (LOUNGE | {"chair"}) else set()
     links = wishes.reading.parsed.links
@@ -50,7 +51,7 @@ def wished_things(wishes: RoomWishes) -> dict[str, int]:
             wished[_chair(wishes) if head(name) == "chair" else name] += count * max(own, 0)
             if wishes.seats and head(name) == "desk":
                 wished[_chair(wishes)] += count * people  # besides those at the table
-    chairs = sum(n for name, n in wished.items() if head(name) == "chair")
+    chairs = _count(wished, "chair")
     tables = any(head(name) == "table" for name in wished if "buffet" not in name)
     if room.tables and not tables and not rows & {"chair", "desk"}:
         wished[room.tables] = math.ceil(chairs / room.at_table)
@@ -64,6 +65,11 @@ def wished_things(wishes: RoomWishes) -> dict[str, int]:
     wished["office chair"] += _at_meeting_tables(wishes, wished) + _unseated(wishes, wished)
     wished["side table"] += _without_a_top(wishes, {**wished, **room.base})
     return dict(+wished) | lounge
+
+
+def _count(wished: Mapping[str, int], word: str) -> int:
+    """Return how many things there are whose kind ends in a word."""
+    return sum(count for name, count in wished.items() if head(name) == word)
 
 
 def _without_a_top(wishes: RoomWishes, present: Mapping[str, int]) -> bool:

@@ -142,11 +142,13 @@ def squared(problem: Problem, world: Floats, no_worse: Callable[[Floats], bool])
     offs = {slot: _came_askew(problem, world, slot) for slot, parent in enumerate(problem.parent) if parent < 0}
     for angle in dict.fromkeys(round(math.degrees(off)) for off in offs.values() if off):
         slots = [slot for slot, off in offs.items() if round(math.degrees(off)) == angle]
+        if len(slots) < 2:
+            continue
         off, middle = offs[slots[0]], np.array([*world[slots, :2].mean(axis=0), 1.0, 0.0])
         trial, turned = world.copy(), compose(middle, np.array([0.0, 0.0, math.cos(off), -math.sin(off)]))
         for slot in slots:
             carry(problem, trial, slot, compose(turned, relative(middle, world[slot])))
-        world = trial if len(slots) > 1 and no_worse(trial) else world
+        world = trial if no_worse(trial) else world
     return world
 
 

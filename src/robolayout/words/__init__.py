@@ -4,6 +4,7 @@ from robolayout.words._function_words import AREAS as AREAS
 from robolayout.words._function_words import AT_SIDES as AT_SIDES
 from robolayout.words._function_words import COUNTERS as COUNTERS
 from robolayout.words._function_words import KIN as KIN
+from robolayout.words._function_words import NEARBY as NEARBY
 from robolayout.words._function_words import OF_ROOMS as OF_ROOMS
 from robolayout.words._function_words import SHAPES as SHAPES
 from robolayout.words._function_words import WATCHING as WATCHING

@@ -12,6 +12,7 @@ from robolayout.words._appositions import LISTED
 from robolayout.words._chunk import Chunk, opening_before
 from robolayout.words._references import References
 from robolayout.words._said import Item, Link, Mention, Place, mentions, named, place_in, place_of, sides
+from robolayout.words._spoken import across
 from robolayout.words._ways import CROWD
 
 
@@ -245,8 +246,8 @@ class About(References):
         at = [place for place in said if place is not None]
         there = (place_in(k.objects[:1], "wall", "window", "door") for k in self.said.links[::-1])
         last = next(filter(None, there), wall)
-        if named_across := [small.ACROSS[word] for word in last.words if last.name == "wall" and word in small.ACROSS]:
-            return [replace(wall, words=tuple(named_across)), *objects[1:]]
+        if last.name == "wall" and (words := across(last.words)):
+            return [replace(wall, words=words), *objects[1:]]
         return [replace(wall, words=(), by=("opposite", at[0])), *objects[1:]] if at else objects
 
     def _walls(self, subjects: list[Mention], place: Place) -> list[Mention]:

@@ -52,7 +52,7 @@ def beside_doors(asked: Iterable[tuple[Link, Asked]]) -> dict[str, float]:
 
 def by_doors(asked: Iterable[tuple[Link, Asked]]) -> dict[str, Place]:
     """Return what is asked to be near a door, with which one."""
-    doors = ((it.subjects, it.place) for link, it in asked if link.relation in ("by", "next", "near") and it.place)
+    doors = ((it.subjects, it.place) for link, it in asked if link.relation in small.NEARBY and it.place)
     return {name: place for names, place in doors if place.name == "door" for name in names}
 
 

@@ -67,7 +67,7 @@ class Demander(InOrder):
         at = [(how, a, b) for how, a, b in twos if self._is(b, ("desk",)) and self._sits_behind(a, b)]
         visited = {b for _, a, b in at if hosted and ways_of.visits(self._asset(a).category)}
         self.manning = {(a, b) for how, a, b in at if how == "behind"}
-        self.hosting = visited.intersection(b for _, b in self.manning)
+        self.hosting = {b for _, b in self.manning if b in visited and not self._is(b, ("reception desk",))}
         self.manned = visited.union(b for _, b in self.manning)
         # desks at which somebody looks at what is told; of these, those that look at who comes in
         turned = [(name, it) for link, it in asked if link.relation == "facing" for name in it.subjects]
@@ -159,7 +159,7 @@ class Demander(InOrder):
         if it.place.name == "wall" and self.mirrors.keys() >= {*it.subjects}:
             yield from self._before_mirrors(it.subjects, it.place)
             return
-        for place in it.places if relation in ("near", "next", "by") else [it.place]:
+        for place in it.places if relation in small.NEARBY else [it.place]:
             yield from self._at_place(it.subjects, place, on=on, share=share, under=under)
 
     def _to_another(self, relation: str, it: Asked) -> list[tuple[str, str]]:

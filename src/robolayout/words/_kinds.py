@@ -11,7 +11,7 @@ from robolayout.scene import FLAT_HEIGHT
 from robolayout.words import _function_words as small
 from robolayout.words._chunk import Chunk
 from robolayout.words._lexicon import grammar
-from robolayout.words._said import Link, Mention, NamedThing, Parsed, Place, mentions, named, place_in
+from robolayout.words._said import Link, Mention, NamedThing, Parsed, Place, mentions, named, place_in, take
 
 
 def settle_kinds(parsed: Parsed) -> None:
@@ -29,7 +29,7 @@ def settle_kinds(parsed: Parsed) -> None:
     _settle_on_stands(parsed)
     for thing in parsed.things:
         if thing.noun.said == "keyboard" and music:
-            _take(thing, "digital piano")
+            take(thing, "digital piano")
         _settle_table(thing, heads, alone=alone)
     stored = not small.STORES.isdisjoint(chunk.value for chunk in parsed.facts if chunk.kind == "room")
     _settle_behind_and_below(parsed)
@@ -40,7 +40,7 @@ def settle_kinds(parsed: Parsed) -> None:
         aloft, on = link.relation == "aloft", link.relation == "on" and not stored
         for thing in (one.thing for one in link.subjects if at and not (at.words or at.by or at.plural)):
             if (aloft or on) and thing.noun.said == "shelf":
-                _take(thing, "wall shelf")  # "a shelf on the wall", but "shelves on the left wall" stand there
+                take(thing, "wall shelf")  # "a shelf on the wall", but "shelves on the left wall" stand there
 
 
 def _settle_table(thing: NamedThing, heads: Set[str], *, alone: bool) -> None:
@@ -51,16 +51,16 @@ def _settle_table(thing: NamedThing, heads: Set[str], *, alone: bool) -> None:
         thing.noun = replace(thing.noun, words=kind, kind=kind, said="small table", others=tuple(others))
     noun = thing.noun
     if noun.said == "small table" and (alone or thing.promising):
-        _take(thing, "round table" if alone else "dining table")
+        take(thing, "round table" if alone else "dining table")
         thing.adjectives = (*thing.adjectives, "small")
     if "low" in thing.adjectives and noun.kind in ("round table", "dining table") and heads & small.LOUNGE:
-        _take(thing, "coffee table")  # "four armchairs around a low round table"
+        take(thing, "coffee table")  # "four armchairs around a low round table"
     seated = heads & small.LOUNGE and not (heads & {"chair", "stool", "desk"} or thing.promising)
     if seated and noun.kind == "round table" and {"small", "little"} & {*thing.adjectives}:
-        _take(thing, "side table")  # "two armchairs and a small round table"
+        take(thing, "side table")  # "two armchairs and a small round table"
     rounded = f"round {'table' if noun.kind in (*small.TABLES, 'conference table') else noun.kind}"
     if small.ROUND & {*thing.of_all} and rounded in CATALOGUE:
-        _take(thing, rounded)
+        take(thing, rounded)
 
 
 def _settle_by_company(parsed: Parsed, heads: Set[str]) -> None:
@@ -75,16 +75,16 @@ def _settle_by_company(parsed: Parsed, heads: Set[str]) -> None:
         if thing.noun.said == "bench" and played and thing.count == 1:
             thing.noun = replace(thing.noun, kind="stool", others=())  # a piano's bench
         elif thing.noun.words == "stool" and bar:
-            _take(thing, "bar stool")
+            take(thing, "bar stool")
         elif thing.noun.kind == "kitchen sink" and "bathroom" in rooms:
-            _take(thing, "bathroom vanity")
+            take(thing, "bathroom vanity")
         elif meant := small.OF_ROOMS.get(thing.noun.said, {}).keys() & rooms:
             kind = small.OF_ROOMS[thing.noun.said][min(meant)]
             # "a bench and a workbench", "a counter and two desks" in a bank
             other = kind in kinds or taken.setdefault(kind, thing.noun.said) != thing.noun.said
-            _take(thing, thing.noun.kind if other else kind)
+            take(thing, thing.noun.kind if other else kind)
         elif thing.noun.said in small.OF_PETS and (pets or thing.of_pet):
-            _take(thing, f"pet {thing.noun.said}")
+            take(thing, f"pet {thing.noun.said}")
             thing.of_pet = True
 
 
@@ -104,10 +104,10 @@ def _settle_behind_and_below(parsed: Parsed) -> None:
         worked_at = [m.count for m in link.subjects if link.relation == "on" and m.thing.noun.said in small.WORKED_AT]
         for thing in named(link.objects) if worked_at and worked_at[0] > 1 else ():
             if thing.noun.said == "table":
-                _take(thing, "desk")
+                take(thing, "desk")
         behind = link.relation == "behind" and all(m.thing.category.on_floor for m in link.subjects)
         for thing in (one for one in named(link.objects) if behind and one.noun.kind == "curtain"):
-            _take(thing, "privacy screen")
+            take(thing, "privacy screen")
 
 
 def _settle_drawn(parsed: Parsed) -> None:
@@ -129,16 +129,12 @@ def _settle_on_stands(parsed: Parsed) -> None:
     for link in (link for link in parsed.links if link.relation == "on"):
         stands = [m for m in mentions(link.objects) if m.thing.head in small.STANDS]
         borne |= {m.thing: stands[0] for m in link.subjects[:1] if stands and m.thing.category.on_object}
+    bearing = {stand.thing for stand in borne.values()}
     for i, link in enumerate(parsed.links):
-        if link.relation != "on" and not {m.thing for m in borne.values()} & named(link.objects):
+        if link.relation != "on" and not bearing & named(link.objects):
             subjects = tuple(borne.get(m.thing, m) for m in link.subjects)
             objects = tuple(borne.get(o.thing, o) if isinstance(o, Mention) else o for o in link.objects)
             parsed.links[i] = replace(link, subjects=subjects, objects=objects)
-
-
-def _take(thing: NamedThing, kind: str) -> None:
-    """Take a thing for one of a kind, whatever else its noun means."""
-    thing.noun = replace(thing.noun, words=kind, kind=kind, others=())
 
 
 def _is_small_table(thing: NamedThing) -> bool:
@@ -155,21 +151,21 @@ def _settle_by_others(link: Link) -> None:
     sat_on = link.relation in (*small.ORDERS, "facing")  # "eight cushions in two rows facing an altar"
     for thing in (mention.thing for mention in link.subjects if to or sat_on):
         if amid and heads <= small.LOUNGE and thing.noun.kind in small.TABLES and thing.noun.said != "dining table":
-            _take(thing, "coffee table" if "sofa" in heads else "side table")
+            take(thing, "coffee table" if "sofa" in heads else "side table")
         elif _is_small_table(thing) and link.relation in (*small.AT_SIDES, "front"):
-            _take(thing, "coffee table" if link.relation == "front" and heads <= small.LOUNGE else "side table")
+            take(thing, "coffee table" if link.relation == "front" and heads <= small.LOUNGE else "side table")
         elif thing.noun.said == "sink" and heads & {"island", "counter"}:
-            _take(thing, "kitchen sink")
+            take(thing, "kitchen sink")
         elif thing.noun.words == "stool" and any(other.noun.kind.endswith(small.HIGH) for other in to):
-            _take(thing, "bar stool")
+            take(thing, "bar stool")
         elif thing.noun.kind == "cushion" and (sat_on or heads <= {"rug"} or (at_tops and heads & small.TOPS)):
-            _take(thing, "floor cushion")
+            take(thing, "floor cushion")
         elif thing.noun.kind == "curtain" and (amid or around):
-            _take(thing, "privacy screen")
+            take(thing, "privacy screen")
     looks = any(m.sat_on or m.thing.head == "projector" for m in link.subjects)
     for thing in to if looks and link.relation in small.WATCHING else ():
         if thing.noun.said == "screen":
-            _take(thing, "projection screen")
+            take(thing, "projection screen")
 
 
 def _settle_by_place(link: Link) -> None:

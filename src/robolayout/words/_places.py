@@ -79,7 +79,7 @@ class AtPlaces:
         self.between = dict[str, float]()  # what has something between it and others, with the metres that this takes
         self.amid_lit = frozenset[str]()  # what has between it and others what is asked to be at a window
         self.backed = frozenset[str]()  # what has furniture behind it
-        self.hosting = set[str]()  # desks with seats on both sides
+        self.hosting = set[str]()  # desks with seats on both sides, no reception desks
         self.surrounded = frozenset[str]()  # what touches no wall: seats are all around it, or something is behind it
 
     def _asset(self, name: str) -> Asset:
@@ -278,9 +278,8 @@ class AtPlaces:
     def _ways_at_a_wall(self, a: str, place: Place, *, on: bool) -> Iterator[Way]:
         """Yield the ways in which a thing is at one of the walls that are meant and long enough, or in the middle of one."""
         backed = a in self.backed and self._is(a, ("counter",))  # "a bar on the left wall, with shelves behind it"
-        received = self._is(a, ("reception desk",))
-        if backed or received or a in self.hosting:  # with room for who sits behind it
-            yield from self._ways_before_a_wall(a, place, 270.0 if a in self.hosting and not received else 90.0)
+        if backed or self._is(a, ("reception desk",)) or a in self.hosting:  # with room for who sits behind it
+            yield from self._ways_before_a_wall(a, place)
             return
         middle = "middle" in place.words
         hangs = self._held(a, on and not middle)
@@ -292,8 +291,9 @@ class AtPlaces:
             at = stated(hangs, AssetRef(a), wall)
             yield (at, stated("centered_on", AssetRef(a), wall)) if middle else (at,)
 
-    def _ways_before_a_wall(self, a: str, place: Place, angle: float) -> Iterator[Way]:
-        """Yield the ways in which a thing has its back to a wall, with room for a seat between."""
+    def _ways_before_a_wall(self, a: str, place: Place) -> Iterator[Way]:
+        """Yield the ways in which who sits at a thing has the back to a wall: behind a counter, before a desk's front."""
+        angle = 270.0 if a in self.hosting else 90.0
         ref, most = AssetRef(a), round(self._asset(a).size[0] / 2 + ways_of.SEAT_BEHIND, 2)
         for wall in (WallRef(wall.index) for wall in walls_meant(self.room, place)):
             yield (stated("distance_constraint", ref, wall, None, most), stated("align_with", ref, wall, angle))

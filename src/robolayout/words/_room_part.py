@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 
 from robolayout.words import _function_words as small
 from robolayout.words._chunk import Chunk
-from robolayout.words._said import Item, Link, Mention, NamedThing, Parsed, named, place_in
+from robolayout.words._said import Item, Link, Mention, NamedThing, Parsed, named, place_in, take
 
 
 @dataclass(eq=False)
@@ -89,5 +89,5 @@ class RoomPart:
         first, *others = standing
         for thing in (m.thing for m in others if first.thing.head in small.LOUNGE and not m.thing.promising):
             if thing.noun.kind == "round table":  # one does not eat at it
-                thing.noun = replace(thing.noun, words="side table", kind="side table", others=())
+                take(thing, "side table")
         yield from (Link("near", (m,), (first,), area.start, area.end) for m in others if m.thing not in told)

@@ -134,6 +134,11 @@ class NamedThing:
         return opposed or bool(said & COLORS.keys() and new & COLORS.keys() and not said & new)
 
 
+def take(thing: NamedThing, kind: str) -> None:
+    """Take a thing for one of a kind, whatever else its noun means."""
+    thing.noun = replace(thing.noun, words=kind, kind=kind, others=())
+
+
 @dataclass(frozen=True, eq=False)
 class Mention:
     """A thing where it is named."""

@@ -24,6 +24,11 @@ from robolayout.words._said import (
 )
 
 
+def across(words: Sequence[str]) -> tuple[str, ...]:
+    """Return the words that tell the wall or corner across the room from one that some words tell."""
+    return tuple(small.ACROSS[word] for word in words if word in small.ACROSS)
+
+
 class Spoken:
     """What was named so far in a text, and in its last sentence."""
 
@@ -267,9 +272,9 @@ class Spoken:
         at = [opening for link in self._here if (opening := place_in(link.objects[:1], "window", "door"))][-1:]
         if at and not before:  # "the bed under the window, the desk in the opposite corner"
             return replace(place, words=(), by=("across", at[0]))
-        told = [small.ACROSS[word] for word in (before[0] if before else ()) if word in small.ACROSS]
+        told = across(before[0] if before else ())
         self.said.missed += [] if before or place.plural else [self._ahead(-1)]  # "two plants in opposite corners"
-        return replace(place, words=(*told,) or ("opposite",))
+        return replace(place, words=told or ("opposite",))
 
     def _number_of(self, item: Item) -> int:
         """Return how many there are of a thing, of corners or walls, of doors or windows that are asked for."""
