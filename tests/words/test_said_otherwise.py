@@ -31,6 +31,11 @@ def rows(text: str) -> list[Unjudged]:
         ("a bedroom with a desk on the north side of the room", "zone(desk-0, "),
         ("an office with a cabinet along the windowless wall", "against_wall(cabinet-0, walls["),
         ("a classroom with a teacher's desk and a whiteboard behind the teacher", "behind(whiteboard-0, teacher_desk-0"),
+        ("an office with a desk with a chair behind it and a bookcase behind the lawyer", "behind(bookshelf-0, office_chair-0"),
+        ("a doctor's office with a desk, the doctor's chair behind it and a chair for the patient at its side", "near(chair-1, chair-0"),
+        ("a lounge with a side table, a sofa opposite the TV, a table on a rug between them", "coffee_table-0 between sofa-0 and tele"),
+        ("a lounge with a sofa under the window, a TV on a low cabinet, a coffee table halfway", "on_top_of(television-0, tv_stand-0)"),
+        ("a classroom with a lectern facing the class and 20 chairs in rows", "align_with(lectern-0, chair-0, angle=180)"),
         ("a bedroom with two single beds half a metre apart", "single_bed-0 0.5 to 0.8 m from single_bed-1"),
         ("a study with a desk a metre from the window", "desk-0 1 to 1.3 m from ("),
         ("a pharmacy with three shelves in parallel", "in_rows([shop_shelf-0, shop_shelf-1, shop_shelf-2], aisle=0, 3)"),
@@ -257,6 +262,30 @@ def test_who_works_in_a_room_is_its_body_and_no_thing(text: str, body: str) -> N
 def test_a_mirror_beside_what_hangs_hangs_too() -> None:
     """It stood in the middle of the hallway."""
     assert kinds("a hallway with a bench under a row of hooks and a mirror to the left of the hooks")["mirror"] == 1
+
+
+@pytest.mark.parametrize(
+    ("text", "count"),
+    [
+        ("a classroom with twelve double desks", {"student desk": 12, "chair": 24}),
+        ("a classroom for 24 pupils with twelve desks", {"student desk": 12, "chair": 24}),
+        ("a classroom with ten desks for two", {"student desk": 10, "chair": 20}),
+        ("a classroom with twelve desks, two pupils at each desk", {"student desk": 12, "chair": 24}),
+        ("an office with two desks back to back, a chair and a monitor at each", {"office chair": 2, "monitor": 2}),
+        ("a hospital room with two beds, a wardrobe for each patient", {"wardrobe": 2}),
+        ("a conference room with a U-shaped table arrangement for twelve", {"conference table": 6, "office chair": 12}),
+        ("a warehouse with four rows of pallet racks, three in each row", {"pallet rack": 12}),
+    ],
+)
+def test_everyone_has_a_seat_and_what_is_for_each(text: str, count: dict[str, int]) -> None:
+    """Of 24 chairs at twelve desks one dozen stood along the walls; "at each" was said of the last thing alone."""
+    there = kinds(text)
+    assert {kind: there[kind] for kind in count} == count
+    assert not [row for row in rows(text) if row.kind == "not understood"]
+
+
+def test_nobody_reaches_a_night_stand_from_a_loft_bed() -> None:
+    assert not kinds("a bedroom with a loft bed above a desk")["night stand"]
 
 
 def test_only_one_that_has_something_leaves_out_no_other_furniture() -> None:

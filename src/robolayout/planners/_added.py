@@ -28,6 +28,7 @@ LARGER = 1.6  # how many times as large as usual a room is from which on it has 
 
 LIT = 22.0  # square metres that one ceiling lamp lights
 SPARE = 0.02  # metres between the top of a thing and the ceiling
+LOFTY = 1.8  # metres of height of a bed from which on nothing stands beside it
 BROAD = 0.6  # metres of width from which on what flanks a thing takes the place of what usually stands there
 ON_A_RUG = 4  # seats of one kind that may stand around one rug
 
@@ -166,7 +167,8 @@ class Added:
     def _crowded_out(self) -> set[str]:
         """Return what usually stands where something broad is said to: night stands beside a bed that wardrobes flank."""
         wishes, usual = self.wishes, {*self.room.base, *self.room.extras, *chain(*map(self._companions, self.wished))}
-        sides = set[str]()
+        high = {name for name in self.wished if head(name) == "bed" and wishes.kinds[name].size[2] > LOFTY}
+        sides = {role.name for role in wishes.playing(high).values()}  # nobody reaches a night stand from a loft bed
         for link in wishes.reading.parsed.links:
             pair = (link.subjects, link.objects) if link.relation == "flank" else (link.objects, link.subjects)
             beside, middle = (named(items) for items in pair)

@@ -79,9 +79,10 @@ def room_size(wishes: RoomWishes, wished: Mapping[str, int], stretch: float) -> 
     if wishes.reading.ratio and any(len(named(k.subjects)) > 2 and _sideways(k) for k in wishes.reading.parsed.links):
         ratio = 1 / ratio  # "a narrow kitchen with everything along the left wall"
     width = max(math.sqrt(area * ratio), longest + SIZES.walkway)
+    depth = area / width if given else max(area / width, longest + SIZES.walkway)
     if given is not None:
-        return (round(width, 2), round(given[0] / width, 2))
-    depth = max(area / width, longest + SIZES.walkway)
+        width, depth = (depth, width) if depth < _along_a_side(wishes) <= width else (width, depth)
+        return (round(width, 2), round(depth, 2))
     short, long = sorted((width, depth))
     for across, ahead in _blocks(wishes):  # the longer side of a room holds the longer side of a block
         short, long = (max(pair) for pair in zip((short, long), sorted((across, ahead)), strict=True))

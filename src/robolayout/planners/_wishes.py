@@ -288,18 +288,22 @@ class RoomWishes:
     def _large_enough(self, thing: NamedThing, size: Size) -> Size:
         """Return the size of a thing with room for what is to lie on it, where it is a rug, or to sit before it in a line."""
         depth, width, height = size
-        links = [link for link in self.reading.parsed.links if thing in named(link.objects)]
-        for relation, other in ((link.relation, one.thing) for link in links for one in link.subjects):
+        said = self.reading.parsed
+        links = [link for link in said.links if thing in named(link.objects)]
+        at_it = [(link.relation, one.thing) for link in links for one in link.subjects]
+        led = {one for link in said.links for one in named(link.subjects)}
+        at_it += [("with", one) for one in said.things if one.noun.kind == "bar stool" and one not in led]
+        for relation, other in at_it:
             kind, each = other.noun.kind, other.count / thing.count
-            own = self.lexicon.kinds[kind].size
+            own = self.lexicon.kinds[self.kind(other)].size
             across = self.ring(other, thing) if relation == "on" else 0.0
             if across:
                 depth, width = max(depth, across), max(width, across)
             elif relation == "on" and height < FLAT_HEIGHT:
                 times = math.sqrt(max(1.0, each * (max(own[:2]) + APART) ** 2 / (depth * width)))
                 depth, width = round(depth * times, 2), round(width * times, 2)
-            elif relation in AT_A_LINE and thing.noun.kind.endswith("counter") and kind.endswith(SEATS):
-                width = round(max(width, each * (own[1] + APART)), 2)
+            elif _sits_in_a_line(thing, relation, kind, each):
+                width = round(max(width, each * (own[1] + (APART if kind.endswith(SEATS) else APART / 2))), 2)
         if thing.sizes or not thing.noun.kind.endswith("table"):
             return depth, width, height
         name = thing.noun.said if "oval" in thing.noun.said else thing.noun.kind
@@ -435,3 +439,11 @@ def _seats(thing: NamedThing, links: Sequence[Link]) -> float:
 def _promised(thing: NamedThing) -> float:
     """Return the seats at each of a thing that "for ten" promises; tables of which no number is said share what more than one seats."""
     return thing.people / (thing.count if thing.plural and thing.number is None and thing.people > AT_ONE else 1)
+
+
+def _sits_in_a_line(thing: NamedThing, relation: str, kind: str, each: float) -> bool:
+    """Return whether so many of a kind are side by side at a thing: stools at a counter, tables at a bench, two at a desk."""
+    if thing.noun.kind.endswith("counter"):
+        return relation in AT_A_LINE and kind.endswith(SEATS)
+    at_desk = relation == "with" and thing.noun.said == "desk" and kind.endswith("chair")
+    return each > 1 and (at_desk or (relation == "front" and thing.head == "bench" and kind.endswith("table")))

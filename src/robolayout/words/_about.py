@@ -23,11 +23,13 @@ class About(References):
         """Return what a relation leads to; "between" takes two, and a wall may be told by what it is opposite to."""
         found: list[Item] = []
         while self.at < len(self.chunks):
+            first = self.at
             while self._ahead().kind in ("filler", "style"):
                 self.at += 1
             item = self._object(chunk)
             if item is None:
-                break
+                self.at = first if self.chunks[first : first + 1] and self.chunks[first].value == "for" else self.at
+                break  # "in a U for twelve"
             found += [item, *self.pending]
             self.pending = []
             pronoun = self.chunks[self.at - 1].kind == "pron"
@@ -187,25 +189,6 @@ class About(References):
         self._understood(*following)
         return replace(wall, by=(how, place_of(following[1])))
 
-    def _other_side(self, chunk: Chunk, objects: list[Item]) -> tuple[Chunk, list[Item]]:
-        """Return a relation and what it leads to, where "on the other side" is the other side of what was spoken of."""
-        place = place_in(objects[:1])
-        if chunk.value == "opposite" and "other" in chunk.adjectives:  # "on the other side of the bed"
-            said = [k for k in self.said.links if named(objects) & named(k.objects)]
-            sides = [k for k in said if k.relation in small.OTHER_SIDE][-1:]
-            there = [m for k in sides if small.OTHER_SIDE[k.relation] == "otherside" for m in k.subjects]
-            return (replace(chunk, value=small.OTHER_SIDE[sides[0].relation]) if sides else chunk), [*objects, *there]
-        if place is not None and place.name == "room" and chunk.value in ("amid", "separates") and not objects[1:]:
-            return replace(chunk, value="middle"), objects  # "a screen dividing the room"
-        if place is not None and place.name == "room" and chunk.value in ("oneside", "end"):
-            one = "one" in chunk.adjectives  # "at one end of the room"
-            return replace(chunk, value="on"), [Place("side", () if one else ("far",), det="one" if one else "")]
-        sided = [link for link in self.said.links if link.relation in small.OTHER_SIDE and link.objects][-1:]
-        if place is None or not sided or (place.name, place.det) != ("side", "other"):
-            return chunk, objects
-        there = sided[0].subjects if small.OTHER_SIDE[sided[0].relation] == "otherside" else ()
-        return replace(chunk, value=small.OTHER_SIDE[sided[0].relation]), [*sided[0].objects, *there]
-
     def _at_sides(self, chunk: Chunk, subjects: Sequence[Mention], place: Place | None) -> bool:
         """Seats on the sides or at the ends of a table stand around it; other things at a side are on top of it or beside it."""
         held = [m.thing for m in self.holder if m.thing.head == "table"]  # "a table by a bar, with seats at the ends"
@@ -315,7 +298,15 @@ class About(References):
             return [self.target]  # "toys in a box under the window"
         if relation in small.ORDERS and last and last[0].thing.count == 1:
             return list(self.group or self.subject)  # "fridge, stove and sink in a row"
-        return laid or last
+        return laid or self._both_at_each(relation) or last
+
+    def _both_at_each(self, relation: str) -> list[Mention]:
+        """Return two things of which there is one at each of others: "a chair and a monitor at each"."""
+        to = self._ahead()
+        each = to.det == "each" if to.kind == "thing" else to.value in small.EVERY
+        two = [c.kind for c in self.chunks[self.at - 4 : self.at - 1]] == ["thing", "and", "thing"]
+        several = [m.several for m in self.group] == [True] * (len(self.group) - 2) + [False] * 2
+        return self.group[-2:] if relation in ("by", "next", "near") and each and two and several else []
 
     def _holder_meant(self, relation: str) -> list[Mention]:
         """Return what bears or has the things before a relation, if that is what it is about."""

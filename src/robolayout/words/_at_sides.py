@@ -34,9 +34,9 @@ def on_walls_beside(asked: Iterable[tuple[Link, Asked]]) -> dict[tuple[str, str]
     """Return how far things are from others at whose side their wall is: "on the wall to the right of the bed"."""
     found: dict[tuple[str, str], tuple[float, float]] = {}
     for (at, it), (side, to) in pairwise(asked):
-        named_by = side.relation in ("left", "right") and side.start - at.end <= len(("the", "wall"))
+        named_by = side.relation in ("left", "right", "behind") and side.start - at.end <= len(("the", "wall"))
         if named_by and place_in(at.objects, "wall") and list(it.subjects) == list(to.subjects):
-            found |= dict.fromkeys(to.twos, (0.0, ways_of.ACROSS))
+            found |= dict.fromkeys(to.twos, (0.0, ways_of.LOOKING if side.relation == "behind" else ways_of.ACROSS))
     return found
 
 

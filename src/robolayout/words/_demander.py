@@ -346,11 +346,21 @@ class Demander(InOrder):
             if ways:
                 yield Demand(tuple(ways))
 
+    def _class_of(self, a: str) -> list[str]:
+        """Return the seats or desks of those to whom somebody speaks at a thing; nothing where it is none, or they are few."""
+        rows = (names for thing, names in self.names.items() if thing.head in small.OWN and len(names) >= ways_of.CROWD)
+        crowd = next((names for names in rows if a not in names and alike(self.scene, names)), [])
+        return [*crowd] if self._is(a, ("teacher desk", *small.SPOKEN_FROM)) else []
+
     def _visiting_or_open(self, it: Asked) -> list[Demand]:
-        """Return where seats stand that face a desk at which somebody sits, and that a shape is open to what it faces; else nothing."""
+        """Return where seats stand that face a desk at which somebody sits, that a shape is open to what it faces, who the class."""
+        a, to_all = it.subjects[0], it.place is not None and it.place.name == "room"
+        if to_all and (crowd := self._class_of(a)):
+            turn = (180.0 + self._looks(a)[0] + self._looks(crowd[0])[0]) % 360.0
+            return [single(stated("align_with", AssetRef(a), AssetRef(crowd[0]), turn))]
         if len(it.others) == 1 and it.others[0] in self.manned and all(self._is(a, small.SEATS) for a in it.subjects):
-            visiting = [a for a in it.subjects if (a, it.others[0]) not in self.manning]
-            return [by_ways(ways_of.VISITING, a, it.others[0]) for a in visiting]
+            visiting = [one for one in it.subjects if (one, it.others[0]) not in self.manning]
+            return [by_ways(ways_of.VISITING, one, it.others[0]) for one in visiting]
         if {*it.subjects} <= {*self.told.shape}:
             to = [AssetRef(b) for b in it.others] or self._points(it.place)
             return [*self.told.opening(it.subjects, to)]

@@ -37,6 +37,12 @@ def half_aside(room: Room, wall: Wall, side: str) -> tuple[PointRef, ...]:
     return rectangle(*_halves(room)[_towards((way * ny, -way * nx))])
 
 
+def half_at(room: Room, wall: Wall) -> tuple[PointRef, ...]:
+    """Return the half of the room along a wall."""
+    nx, ny = wall.normal
+    return rectangle(*_halves(room)[_towards((-nx, -ny))])
+
+
 def _halves(room: Room) -> dict[str, tuple[float, float, float, float]]:
     """Return the halves of the room's bounds by their names on the plan, on which north is up."""
     x0, y0, x1, y1 = room.bounds

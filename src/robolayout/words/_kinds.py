@@ -19,7 +19,7 @@ def settle_kinds(parsed: Parsed) -> None:
     heads = {thing.head for thing in parsed.things if thing.noun.kind != "side table"}
     alone = "chair" in heads and not heads & {"table", "desk"}
     for link in parsed.links:
-        if link.relation in ("with", "around") and any(m.thing.head == "chair" for m in link.subjects):
+        if link.relation in ("with", "around") and any(m.thing.head in ("chair", "stool") for m in link.subjects):
             for mention in mentions(link.objects):
                 mention.thing.sat_at = True
     music = bool({thing.noun.kind for thing in parsed.things} & small.INSTRUMENTS) and not heads & {"desk", "computer"}
@@ -182,6 +182,8 @@ def _settle_by_place(link: Link) -> None:
             own = phrase_index().get(f"{noun.said} stand", ())[:1]
             if link.relation == "on" and bearer.noun.said == "stand" and own:
                 bearer.noun = replace(bearer.noun, words=own[0], kind=own[0], guessed="")
+            if link.relation == "on" and noun.kind == "television" and bearer.noun.kind == "cabinet":
+                take(bearer, "tv stand")  # a cabinet is not as wide
         stands = thing.category.on_floor and noun.said not in (*small.LIGHTS, "screen")
         if place == "wall" and link.relation not in ("above", "under") and stands:
             continue

@@ -8,14 +8,13 @@ clause before, or what stands before "with". A noun with "the" that was named be
 from __future__ import annotations
 
 from dataclasses import replace
-from itertools import takewhile
+from itertools import dropwhile, takewhile
 
 from robolayout.words import _function_words as small
 from robolayout.words._chunk import ROWS, SOME, Chunk
 from robolayout.words._leftover import leftover
-from robolayout.words._lexicon import grammar
 from robolayout.words._relations import Relating
-from robolayout.words._said import Link, Mention, NamedThing, Parsed, Place, mentions, place_in, place_of, sides
+from robolayout.words._said import Link, Mention, NamedThing, Parsed, Place, mentions, place_in, place_of
 from robolayout.words._tokens import count_of
 
 
@@ -197,6 +196,7 @@ class Parser(Relating):
         if self._ahead(-2).kind == "thing" and self.group[-1:] and self.group[-1].several:
             self.group = self.group[-1:]  # "a bar with stools, four tables each with four chairs"
         if self.group and self._ahead().kind == "with":
+            self.group = self._bearing(self._ahead(1)) or self.group
             self.at += 1
             det = "each" if chunk.value.startswith(("each", "every")) else "all"
             self.holder = [Mention(m.thing, None, det) for m in self.group]
@@ -210,6 +210,12 @@ class Parser(Relating):
         self.at += 1
         self._each_has([], people)
         return True
+
+    def _bearing(self, has: Chunk) -> list[Mention]:
+        """Return what bears the things before, where each of them has a seat: "two machines on tables, each with a chair"."""
+        on = [k for k in self._here if k.relation == "on" and k.subjects == tuple(self.group)]
+        seat = has.noun is not None and has.noun.kind.split()[-1] in small.SEATS
+        return mentions(on[-1].objects) if on and seat else []
 
     def _one_each(self, thing: NamedThing) -> None:
         """What each of the things before has, or each of those for whom the room is: "two tables with four chairs each"."""
@@ -244,6 +250,8 @@ class Parser(Relating):
             self.said.links.append(Link("with", (mention,), tuple(bearers), chunk.start, chunk.end))
         elif joined and not _accessory(mention):
             self.listed = True  # "a table with six stools and shelves along the wall"
+        elif joined and self.having and mention.thing.category.built_in:
+            self.listed = False  # "counters with a sink, a stove and an oven along the wall"
         joined = not self._alone(mention, joined=joined) and joined
         together = joined and self.subject == self.group
         self.group = [*self.group, mention] if joined else [mention]
@@ -368,6 +376,9 @@ class Parser(Relating):
         tops, told = holder.thing.head in ("table", "desk", "counter", "island"), self._ahead(-2).kind == "with"
         if self._ahead().value in small.HANGING and self._ahead(1).value == "above":
             return False  # "a counter with pans hanging above it"
+        rest = [*dropwhile(lambda c: c.kind in ("filler", "body", "people"), self.chunks[self.at : self.at + 4])]
+        if self._ahead(-2).kind == "comma" and [c.value for c in rest[1:2]] == ["door"] and rest[0].kind == "rel":
+            return False  # "a cabinet with a sink, a scale for dogs by the door"
         return (mention.topped or (tops and not joined and _accessory(mention)) or told) and not holder.topped
 
     def _on_part(self, chunk: Chunk) -> None:
@@ -394,57 +405,8 @@ class Parser(Relating):
         elif chunk.value in ("floor", "wall"):
             self._on_surface(chunk)
 
-    def _on_opening(self, chunk: Chunk) -> None:
-        """A door or window: it is asked for where a wall is told, or a number, or "a"."""
-        if self.refusing and chunk.value == "window":
-            if self._ahead().kind != "rel":  # "a bedroom with no windows", but not "no window on the north wall"
-                self._understood(self._ahead(-2))
-                self.said.openings.append((replace(place_of(chunk), number=0), (chunk.start, chunk.end)))
-            return
-        at = self.fronted[1][:1] if self.fronted is not None and not self.group else []
-        wall = self._opening_wall() or place_in(at, "wall") or Place("wall", sides(chunk))
-        if wall.words or wall.by or self.holder or chunk.number or chunk.det == "a":
-            place = replace(place_of(chunk), words=wall.words, by=wall.by)
-            self.opening = self.opening if self.group or self.subject else place
-            self.said.openings.append((place, (chunk.start, self._ahead(-1).end)))
-
-    def _on_surface(self, chunk: Chunk) -> None:
-        """A wall or the floor: how it looks, that it stays free, what it has ("the north wall has a sofa")."""
-        free = next((c for c in (self._ahead(), self._ahead(1)) if c.value in small.FREE), None)
-        coloured = bool(set(chunk.adjectives) - set(grammar().walls))
-        if coloured:
-            self.said.facts.append(Chunk("style", chunk.start, chunk.end, " ".join((*chunk.adjectives, chunk.value))))
-        if chunk.value == "floor":
-            return
-        if free is not None:
-            self.said.links.append(Link("bare", (), (place_of(chunk),), chunk.start, free.end))
-            return
-        wall = self._which_wall(place_of(chunk))
-        starts = self._previous(chunk) in ("", ".", ";", "\n")  # "North wall: a sofa"
-        follows = self._ahead()
-        if follows.kind in (("with", "colon") if starts else ("with",)):
-            self.at += 1
-            self.fronted, self.group = (Chunk("rel", chunk.start, follows.end, "on"), [wall]), []
-            self._understood(chunk, follows)
-        elif not coloured:
-            self.said.missed.append(chunk)
-
-    def _opening_wall(self) -> Place | None:
-        """Return the wall that a door or window is in, if it is said: "in the south wall", "to the south", "opposite the door"."""
-        more = 0
-        while self._ahead(more).kind in ("verb", "filler", "rel"):
-            more += 1
-        at, how = self._ahead(more), self._ahead(more - 1).value
-        if how in ("left", "right") and at.kind not in ("thing", "part", "pron"):
-            self.at += more
-            return Place("wall", (how,))
-        across = how == "opposite" and at.value in ("window", "door")
-        if not (across or (more and (at.value == "wall" or (at.value == "side" and sides(at))))):
-            return None
-        self.at += more + 1
-        return Place("wall", by=(how, place_of(at))) if across else self._which_wall(place_of(at))
-
 
 def _accessory(mention: Mention) -> bool:
     """Return whether a thing goes with another: a seat, or what can stand on a top."""
-    return mention.thing.head in small.SEATS or mention.thing.category.on_object
+    kind = mention.thing.category
+    return mention.thing.head in small.SEATS or kind.on_object or kind.built_in

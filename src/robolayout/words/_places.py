@@ -13,7 +13,7 @@ from robolayout.constraints.corner import convex_corners
 from robolayout.scene import Asset, Opening, Scene
 from robolayout.words import _function_words as small
 from robolayout.words import _ways as ways_of
-from robolayout.words._halves import floor_point, half_aside, halves_meant, rectangle
+from robolayout.words._halves import floor_point, half_aside, half_at, halves_meant, rectangle
 from robolayout.words._lexicon import grammar
 from robolayout.words._rows import ToldRows, alike, in_rows
 from robolayout.words._said import Place
@@ -375,7 +375,15 @@ class AtPlaces:
                 yield Demand(tuple(ways))
 
     def _squarely(self, a: str, place: Place | None, angles: Sequence[float], *, free: bool = False) -> Iterator[Way]:
-        """Yield how a thing, if not `free` in the middle or a corner, faces a door or window: straight to its wall, not askew."""
+        """Yield how a thing, if not `free` in the middle or a corner, faces a door or window: straight to its wall, not askew.
+
+        What faces the room looks straight from the wall in whose half of the room it stands.
+        """
+        for wall in self.room.walls if place is not None and place.name == "room" else ():
+            half = stated("zone", AssetRef(a), half_at(self.room, wall))
+            yield from (
+                (stated("align_with", AssetRef(a), WallRef(wall.index), (90.0 + one) % 360.0), half) for one in angles
+            )
         openings = openings_meant(self.room, place) if place is not None and place.name in ("door", "window") else ()
         for opening in openings if free or a in self.central or a in self.cornered else ():
             yield from (

@@ -8,13 +8,13 @@ from itertools import dropwhile, pairwise
 
 from robolayout.words import _function_words as small
 from robolayout.words._chunk import NOTHING, ROWS, Chunk
+from robolayout.words._counting import Counting
 from robolayout.words._lexicon import grammar
 from robolayout.words._said import Item, Link, Mention, NamedThing, Place, mentions, named, place_in, places
-from robolayout.words._spoken import Spoken
 from robolayout.words._tokens import APART
 
 
-class References(Spoken):
+class References(Counting):
     """Finds what noun phrases name and notes relations."""
 
     def _mention(self, chunk: Chunk, *, target: bool = False) -> Mention:
@@ -139,7 +139,10 @@ class References(Spoken):
             again = earlier and last.count == 1 and (last.definite or (not self.group and follows in ("with", "verb")))
             return last if alike and (again or follows == "rel" or self._previous(chunk) == "from") else None
         if chunk.det == "a":
-            again = alike and (target or last.definite)
+            theirs = {word.removesuffix("s") for word in last.adjectives} & small.PEOPLE - said
+            again = alike and (
+                target or (last.definite and not theirs)
+            )  # "the doctor's chair, a chair for the patient"
             last.definite = last.definite and target
             return last if again else None
         new = chunk.det == "new" and not 0 < self.dealt.get(last, 0) < last.count
@@ -177,21 +180,6 @@ class References(Spoken):
         alone = alone or (plural and starts)
         self.subject, self.acted = ([], []) if alone else (self.subject, self.acted)
         return alone
-
-    def _on_both_sides(self, chunk: Chunk, subjects: Sequence[Mention], objects: Sequence[Item]) -> Chunk:
-        """Count what stands at each side of something; return the relation, which is "around" for several seats at a table."""
-        tables = [to.thing for to in mentions(objects) or self.holder if to.thing.has_sides]
-        each = (self.having and self.holder) or "each" in chunk.adjectives  # "a sofa and a chair on either side of it"
-        for mention in subjects if each else subjects[: len(subjects) == 1]:
-            thing = mention.thing
-            own = not objects and mention.det == "a"
-            if not mention.per_side(chunk, own=own) or thing in self.dealt:
-                continue
-            thing.number = (tables[0].sides if tables and "side" in chunk.adjectives else 2) * (thing.number or 1)
-            around = [to for to in mentions(objects[:1]) if to.det in ("each", "all")]
-            thing.times = around[0].thing.count if around else thing.times if own else 1
-        several = bool(tables) and all(mention.at_a_table and mention.several for mention in subjects)
-        return replace(chunk, value="around") if several else chunk
 
     def _at_middle(self, chunk: Chunk, subjects: Sequence[Mention], objects: Sequence[Item]) -> Sequence[Item]:
         """Return the middle of a wall where "in the middle" was said right before: "a bed in the centre against the wall"."""
@@ -308,56 +296,14 @@ class References(Spoken):
         swapped = (place or laid) and held and not (hung or (low and not hangs)) and subjects == self.group[-1:]
         central = [k for k in self.said.links if k.relation == "middle" and named(self.holder) & named(k.subjects)]
         swapped = swapped and not (central and place_in(objects[:1], "wall", "corner", "window", "door"))
-        return (self.holder if swapped else subjects), objects
+        built = [m for m in self.group if m.thing.category.built_in and place_in(objects[:1], "wall")]
+        return ([*self.holder, *built] if swapped else subjects), objects
 
     def _across(self, subjects: Sequence[Mention]) -> list[Item]:
         """Return what a thing is opposite with what it bears, or those who sit at it: "a bar with stools opposite"."""
         seats = self.group[-1].sat_on and self.holder[0].thing.head in small.TOPS
         self.about = [*subjects, *self.holder]
         return [*self._led_back("opposite")] if seats or self.group[-1].topped else []
-
-    def _counted(self, chunk: Chunk, subjects: Sequence[Mention], objects: Sequence[Item]) -> Sequence[Mention]:
-        """Settle how many things are asked for that stand at each of several, at walls or in rows; return them."""
-        shared = chunk.value in small.SHARED_OUT and all(m.thing.number in (None, 1) for m in subjects)
-        one_each = ("each", "both", "all") if shared else ("each",) if chunk.value not in ("apart", "far") else ()
-        each = [item for item in objects if item.det in one_each]
-        for mention in subjects if each and each[0].det != "each" else ():
-            mention.thing.number = 1  # "lamps on both nightstands"
-        for item in each:
-            count = self._gaps(item) if chunk.value == "amid" else self._number_of(item)
-            subjects = [mention.widened(count) for mention in subjects]
-            for mention in subjects:
-                owned = isinstance(item, Mention) and item.thing is mention.thing
-                dealt = mention.thing in self.dealt or mention.pick is not None  # "two lamps, one in each corner"
-                one = mention.thing.head in small.OWN_ONE or place_in([item], "corner")  # "plants in every corner"
-                if mention.thing.uncounted and one and item.det == "each":
-                    mention.thing.number = 1  # "beds with desks at the foot of each"
-                if mention.thing.times == 1 and not owned and not dealt:
-                    mention.thing.times = count * (2 if mention.per_side(chunk) else 1)
-        self._counted_at_walls(chunk, subjects, objects)
-        corners = next((to.number for to in places(objects, "corner")), None)
-        for thing in (mention.thing for mention in subjects if corners and mention.thing.uncounted):
-            thing.number = corners  # "cat trees in three corners"
-        for mention in subjects if chunk.value == "rows" else ():
-            mention.thing.rows = mention.thing.rows or chunk.rows  # "clothing racks in three rows"
-        for thing in (m.thing for m in subjects if chunk.value == "columns" and m.thing.rows and m.thing.uncounted):
-            thing.number = thing.rows * (chunk.rows or 1)  # "six rows of pews in two columns"
-        return subjects
-
-    def _counted_at_walls(self, chunk: Chunk, subjects: Sequence[Mention], objects: Sequence[Item]) -> None:
-        """Settle how many of what no number is said stand at several walls, or between others."""
-        lined = places(objects, "wall") if chunk.value in ("wall", "on") else []
-        several = not {"line", "lines", "lined", "lining"}.isdisjoint(chunk.adjectives)  # not "along the walls"
-        walls = next((to.number or 2 * (to.plural and several) for to in lined if to.det != "all"), 0)
-        walls = next((self._number_of(to) for to in lined if to.det == "all"), walls)
-        apart = [m for m in mentions(objects) if m.count > 2] if chunk.value == "amid" else []
-        for thing in (mention.thing for mention in subjects):
-            ell = any(k.relation == "ell" and thing in named(k.subjects) for k in self.said.links)
-            if walls and thing.plural and thing.number is None and not ell:
-                at_each = 2 if several or chunk.value == "wall" or thing.head in small.SEATS else 1
-                thing.number = walls * at_each  # "bookshelves line two walls"
-            elif apart and thing.parts_uncounted:
-                thing.number = self._gaps(apart[0])  # "partitions between the desks"
 
     def _link(self, chunk: Chunk, subjects: Sequence[Mention], objects: Sequence[Item]) -> None:
         """Note a relation; what stands at each of several things is as many times there."""
@@ -422,6 +368,28 @@ class References(Spoken):
             return replace(chunk, value="oneside", adjectives=("end",))
         half = chunk.value in ("left", "right") and place_in(led[:1], "side")
         return replace(chunk, value="in") if half else chunk
+
+    def _other_side(self, chunk: Chunk, objects: list[Item]) -> tuple[Chunk, list[Item]]:
+        """Return a relation and what it leads to, where "on the other side" is the other side of what was spoken of."""
+        place = place_in(objects[:1])
+        tables = all(m.thing.head in small.TOPS and m.several for m in mentions(objects)) and mentions(objects)
+        if chunk.value == "opposite" and "other" in chunk.adjectives and tables and all(m.sat_on for m in self.about):
+            return replace(chunk, value="around"), objects  # "a stool on the other side of each table"
+        if chunk.value == "opposite" and "other" in chunk.adjectives:  # "on the other side of the bed"
+            said = [k for k in self.said.links if named(objects) & named(k.objects)]
+            sides = [k for k in said if k.relation in small.OTHER_SIDE][-1:]
+            there = [m for k in sides if small.OTHER_SIDE[k.relation] == "otherside" for m in k.subjects]
+            return (replace(chunk, value=small.OTHER_SIDE[sides[0].relation]) if sides else chunk), [*objects, *there]
+        if place is not None and place.name == "room" and chunk.value in ("amid", "separates") and not objects[1:]:
+            return replace(chunk, value="middle"), objects  # "a screen dividing the room"
+        if place is not None and place.name == "room" and chunk.value in ("oneside", "end"):
+            one = "one" in chunk.adjectives  # "at one end of the room"
+            return replace(chunk, value="on"), [Place("side", () if one else ("far",), det="one" if one else "")]
+        sided = [link for link in self.said.links if link.relation in small.OTHER_SIDE and link.objects][-1:]
+        if place is None or not sided or (place.name, place.det) != ("side", "other"):
+            return chunk, objects
+        there = sided[0].subjects if small.OTHER_SIDE[sided[0].relation] == "otherside" else ()
+        return replace(chunk, value=small.OTHER_SIDE[sided[0].relation]), [*sided[0].objects, *there]
 
     def _plain_pair(self, found: Sequence[Item], chunk: Chunk) -> bool:
         """Return whether "and the ..." goes on with the same relation."""

@@ -35,6 +35,9 @@ class Relating(Spaces):
             self._understood(chunk)
             return
         self.said.facts.append(chunk)
+        if chunk.kind in ("people", "body") and chunk.det == "each" and self._previous(chunk) == "for" and self.group:
+            thing = self.group[-1].thing  # "a wardrobe for each patient"
+            thing.number, thing.everyones = thing.number or 1, True
         if chunk.kind in ("room", "corner"):
             self._new_zone(chunk)
         if "windowless" in chunk.adjectives:
@@ -182,7 +185,8 @@ class Relating(Spaces):
         objects = list[Item](it) if its else self._objects(chunk)
         if chunk.value == "amid" and self._ahead(-1).value == "them":
             facing = self._between_the_last()  # "two armchairs opposite the sofa with a table between them"
-            objects = facing if facing and all(one.sat_on for one in mentions(facing)) else objects
+            two = sum(one.count for one in mentions(facing)) == 2  # "a sofa opposite the TV, a table between them"
+            objects = facing if facing and (two or all(one.sat_on for one in mentions(facing))) else objects
         fronted = not subjects or (not self.about and chunk.value != "between")
         self._keep(chunk.value, objects, pronoun=its or self._ahead(-1).kind == "pron", fronted=fronted)
         if not self._in_turn(chunk, objects):

@@ -1,4 +1,4 @@
-"""What is said of the floor between things: aisles, gaps and free floor."""
+"""What is said of the floor between things, of doors, windows and walls: aisles, gaps and free floor, what a wall has."""
 
 from __future__ import annotations
 
@@ -10,12 +10,13 @@ from itertools import combinations, takewhile
 from robolayout.words import _function_words as small
 from robolayout.words._about import About
 from robolayout.words._chunk import Chunk, Measure
-from robolayout.words._said import Item, Link, Mention, Place, mentions, place_in
+from robolayout.words._lexicon import grammar
+from robolayout.words._said import Item, Link, Mention, Place, mentions, place_in, place_of, sides
 from robolayout.words._ways import CROWD, KEPT_OFF, MIDDLE_AISLE
 
 
 class Spaces(About):
-    """Reads what is free or parts things."""
+    """Reads what is free or parts things, and what walls, doors and windows are said to be like or to have."""
 
     def _free_space(self, chunk: Chunk, measure: Measure) -> bool:
         """Note floor that is to stay free at a side of a thing: "1.5 m of free space on the left of the bed"."""
@@ -165,3 +166,53 @@ class Spaces(About):
         """Note that nothing is to stand at a place."""
         gap = (0.0, 0.0) if place_in(objects[:1], "wall") else (KEPT_OFF, math.inf)
         self.said.links.append(Link("bare", (), tuple(objects), chunk.start, chunk.end, gap))
+
+    def _on_opening(self, chunk: Chunk) -> None:
+        """A door or window: it is asked for where a wall is told, or a number, or "a"."""
+        if self.refusing and chunk.value == "window":
+            if self._ahead().kind != "rel":  # "a bedroom with no windows", but not "no window on the north wall"
+                self._understood(self._ahead(-2))
+                self.said.openings.append((replace(place_of(chunk), number=0), (chunk.start, chunk.end)))
+            return
+        at = self.fronted[1][:1] if self.fronted is not None and not self.group else []
+        wall = self._opening_wall() or place_in(at, "wall") or Place("wall", sides(chunk))
+        if wall.words or wall.by or self.holder or chunk.number or chunk.det == "a":
+            place = replace(place_of(chunk), words=wall.words, by=wall.by)
+            self.opening = self.opening if self.group or self.subject else place
+            self.said.openings.append((place, (chunk.start, self._ahead(-1).end)))
+
+    def _on_surface(self, chunk: Chunk) -> None:
+        """A wall or the floor: how it looks, that it stays free, what it has ("the north wall has a sofa")."""
+        free = next((c for c in (self._ahead(), self._ahead(1)) if c.value in small.FREE), None)
+        coloured = bool(set(chunk.adjectives) - set(grammar().walls))
+        if coloured:
+            self.said.facts.append(Chunk("style", chunk.start, chunk.end, " ".join((*chunk.adjectives, chunk.value))))
+        if chunk.value == "floor":
+            return
+        if free is not None:
+            self.said.links.append(Link("bare", (), (place_of(chunk),), chunk.start, free.end))
+            return
+        wall = self._which_wall(place_of(chunk))
+        starts = self._previous(chunk) in ("", ".", ";", "\n")  # "North wall: a sofa"
+        follows = self._ahead()
+        if follows.kind in (("with", "colon") if starts else ("with",)):
+            self.at += 1
+            self.fronted, self.group = (Chunk("rel", chunk.start, follows.end, "on"), [wall]), []
+            self._understood(chunk, follows)
+        elif not coloured:
+            self.said.missed.append(chunk)
+
+    def _opening_wall(self) -> Place | None:
+        """Return the wall that a door or window is in, if it is said: "in the south wall", "to the south", "opposite the door"."""
+        more = 0
+        while self._ahead(more).kind in ("verb", "filler", "rel"):
+            more += 1
+        at, how = self._ahead(more), self._ahead(more - 1).value
+        if how in ("left", "right") and at.kind not in ("thing", "part", "pron"):
+            self.at += more
+            return Place("wall", (how,))
+        across = how == "opposite" and at.value in ("window", "door")
+        if not (across or (more and (at.value == "wall" or (at.value == "side" and sides(at))))):
+            return None
+        self.at += more + 1
+        return Place("wall", by=(how, place_of(at))) if across else self._which_wall(place_of(at))

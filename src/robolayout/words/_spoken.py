@@ -90,7 +90,7 @@ class Spoken:
         """Return what stands for a part of the room, where that is not all of it, or a person: "near the kitchen", "behind the teacher"."""
         if chunk.kind == "people":  # "the teacher's desk and a board behind the teacher"
             own = [t for t in self.said.things if chunk.value in {w.removesuffix("s") for w in t.phrase}]
-            return Mention(own[-1]) if own else None
+            return Mention(own[-1]) if own else self._seat_of(chunk)
         if chunk.kind not in ("room", "corner"):
             return None
         others = [fact for fact in self.said.facts if fact.kind == "room" and fact.value != chunk.value]
@@ -104,6 +104,15 @@ class Spoken:
             part.first = self.said.implied(kind, count, chunk)
         thing = part.things[0].thing if part.things else part.first
         return Mention(thing, slice(0, 1) if thing.count > 1 else None) if thing is not None else None
+
+    def _seat_of(self, who: Chunk) -> Mention | None:
+        """Return the one seat at a desk, or the desk, of somebody: "a desk with a chair behind it, a bookcase behind the lawyer"."""
+        if who.det != "the" or who.value.endswith("s") or who.value in ("people", "children", "men", "women"):
+            return None
+        seats = [k.subjects[0] for k in self.said.links if k.relation in ("behind", "by", "with") and k.subjects]
+        seats = [m for m in seats if m.sat_on and m.count == 1]
+        there = [m for m in (*seats, *self._last_of(("desk",), set())) if m.thing not in named(self.about)]
+        return next(iter(there), None)
 
     def _new_zone(self, chunk: Chunk) -> None:
         """Forget what was spoken of: what a part of the room has belongs to no thing before it."""

@@ -19,7 +19,7 @@ from robolayout.words._kinds import settle_kinds
 from robolayout.words._lexicon import Lexicon, grammar
 from robolayout.words._parse import Parser
 from robolayout.words._reworded import reworded
-from robolayout.words._said import Link, NamedThing, Parsed, mentions, named, place_in, places
+from robolayout.words._said import Link, Mention, NamedThing, Parsed, mentions, named, place_in, places
 from robolayout.words._tokens import Measure, Size, Token, count_of, measures, tokens
 
 LONGEST = 4000
@@ -30,6 +30,9 @@ ABREAST = 0.6
 
 AT_A_TABLE = 8
 """People for whom one of several tables is at the most; more are at all of them together."""
+
+AT_A_DESK = 4
+"""Most people that sit at one desk."""
 
 LEAST_SHAPED = 5
 """Tables of which no number is said that stand in a U: one across and two on each side."""
@@ -199,9 +202,8 @@ def read_text(text: str, lexicon: Lexicon) -> Reading:
     rooms = [chunk for chunk in parsed.facts if chunk.kind == "room"]
     bodies = [chunk.value for chunk in parsed.facts if chunk.kind == "body"]
     people = [c for c in parsed.facts if c.kind == "people"]
-    for said in (
-        chunk.adjectives for chunk in (*rooms, *people)
-    ):  # "a small barrier-free bathroom", "my elderly mother"
+    whose = (chunk.adjectives for chunk in (*rooms, *people))
+    for said in whose:  # "a small barrier-free bathroom", "my elderly mother"
         runs = (" ".join(said[begin:end]) for begin, end in combinations(range(len(said) + 1), 2))
         names = (who for run in runs for who in (run, run.removesuffix("s")))
         bodies += [lexicon.bodies[who] for who in names if who in lexicon.bodies][:1]
@@ -217,13 +219,14 @@ def read_text(text: str, lexicon: Lexicon) -> Reading:
     _two_at_each(parsed.links)
     _long_benches(parsed.links)
     parsed.links[:] = _had_nearby(parsed.links)
-    number = _shared_out(parsed.things, _shaped(parsed.links, bounded(counts[0], "people")))
+    shared = _shared_out(parsed.things, _shaped(parsed.links, bounded(counts[0], "people")))
+    number = _at_one_desk(parsed, shared)
     seats = number or next((thing.people * thing.count for thing in parsed.things if thing.people), 0)
     for thing in parsed.things:
         if seats and thing.plural and thing.number is None and thing.head in small.ONE_EACH:
             thing.number = max(seats // thing.times, 1)  # "for ten people, with chairs"
         if thing.everyones:
-            thing.times = max(number or seats, 1)
+            thing.times = max(number or seats or _theirs(parsed.things, thing), 1)
         bounded(thing.count, thing.noun.words)
     return Reading(
         text=read,
@@ -269,6 +272,12 @@ def _long_benches(links: Sequence[Link]) -> None:
             bench.sizes += [Measure("wide", (wide,), 0, 0)] * (wide > bench.category.size[1])
 
 
+def _theirs(things: Sequence[NamedThing], given: NamedThing) -> int:
+    """Return for how many people a room is by its beds, or by its desks; 0 if it has none: "a wardrobe for each patient"."""
+    own = (thing for heads in (small.SLEPT_ON, ("desk", "workstation")) for thing in things if thing.head in heads)
+    return next((thing.count for thing in own if thing is not given), 0)
+
+
 def _shaped(links: Sequence[Link], number: int) -> int:
     """Settle how many tables of which no number is said stand in a shape, one for every two people; return for how many the room is."""
     for thing in (one.thing for link in links if link.relation in small.SHAPES for one in link.subjects):
@@ -306,6 +315,23 @@ def _shared_out(things: Sequence[NamedThing], number: int) -> int:
         number = number or bounded(thing.people, "people")
         thing.people = math.ceil(thing.people / thing.count)
     return number
+
+
+def _at_one_desk(parsed: Parsed, number: int) -> int:
+    """Give each of several desks as many chairs as it is for ("double desks", "24 pupils with twelve desks"); return how many sit there."""
+    desks = [thing for thing in parsed.things if thing.noun.kind in ("desk", "student desk") and thing.count > 1]
+    if len(desks) != 1 or any(thing.head in small.SEATS and thing.count > 1 for thing in parsed.things):
+        return number
+    desk, (start, end) = desks[0], desks[0].spans[0]
+    double = small.DOUBLE & {*desk.adjectives}
+    each = desk.people or (2 if double else number // desk.count if number % desk.count == 0 else 0)
+    if not 1 < each <= AT_A_DESK:
+        return number
+    desk.people, desk.adjectives = 0, tuple(word for word in desk.adjectives if word not in double)
+    chairs = parsed.implied("chair", each, Chunk("thing", start, end))
+    chairs.times = desk.count
+    parsed.links.append(Link("with", (Mention(chairs),), (Mention(desk, None, "each"),), start, end))
+    return number or bounded(each * desk.count, "people")
 
 
 def _said_besides(words: list[Token]) -> list[Token]:
