@@ -36,6 +36,13 @@ def rows(text: str) -> list[Unjudged]:
         ("a lounge with a side table, a sofa opposite the TV, a table on a rug between them", "coffee_table-0 between sofa-0 and tele"),
         ("a lounge with a sofa under the window, a TV on a low cabinet, a coffee table halfway", "on_top_of(television-0, tv_stand-0)"),
         ("a classroom with a lectern facing the class and 20 chairs in rows", "align_with(lectern-0, chair-0, angle=180)"),
+        ("a bathroom with a bathtub and a shelf with towels above the tub", "on_top_of(towel-0, wall_shelf-0)"),
+        ("a bathroom with three sinks with mirrors on the right wall", "against_wall(washbasin-0, walls[3])"),
+        ("a kitchen with counters with a sink, a stove and an oven along the back wall", "against_wall(kitchen_counter-0, walls[2])"),
+        ("a craft room with two sewing machines on tables, each with a chair", "on_top_of(sewing_machine-0, dining_table-0)"),
+        ("a lounge with a sectional sofa in the corner facing a screen", "corner(sectional_sofa-0, 0)"),
+        ("a cafe with three tables along a bench and a stool on the other side of each table", "near(stool-0, "),
+        ("a waiting room with eight chairs along two walls", "against_wall(chair-0, walls[1]), against_wall(chair-1, walls[1]), "),
         ("a bedroom with two single beds half a metre apart", "single_bed-0 0.5 to 0.8 m from single_bed-1"),
         ("a study with a desk a metre from the window", "desk-0 1 to 1.3 m from ("),
         ("a pharmacy with three shelves in parallel", "in_rows([shop_shelf-0, shop_shelf-1, shop_shelf-2], aisle=0, 3)"),
@@ -275,6 +282,9 @@ def test_a_mirror_beside_what_hangs_hangs_too() -> None:
         ("a hospital room with two beds, a wardrobe for each patient", {"wardrobe": 2}),
         ("a conference room with a U-shaped table arrangement for twelve", {"conference table": 6, "office chair": 12}),
         ("a warehouse with four rows of pallet racks, three in each row", {"pallet rack": 12}),
+        ("a classroom with six workbenches for four pupils each", {"workbench": 6, "stool": 24}),
+        ("a waiting area with three rows of five linked chairs", {"chair": 15}),
+        ("a garage with a motorcycle and a bike", {"motorcycle": 1, "bicycle": 1}),
     ],
 )
 def test_everyone_has_a_seat_and_what_is_for_each(text: str, count: dict[str, int]) -> None:

@@ -129,6 +129,10 @@ def _blocks(wishes: RoomWishes) -> Iterator[tuple[float, float]]:
             tables = [m for m in line if m.several and m.thing.head == "table"]
             sizes = (one.count * (wishes.kinds[wishes.kind(one.thing)].size[1] + 2 * SIZES.walkway) for one in tables)
             yield sum(sizes), 0.0
+        if line and at is not None and at.plural and (at.number or 0) > 1:  # "twenty lockers along two walls"
+            wide = sum(one.count * wishes.kinds[wishes.kind(one.thing)].size[1] for one in line)
+            share = wide / (at.number or 1) + SIZES.around
+            yield share, share
         yield from _amid_others(wishes, link)
         yield from _beside_a_sofa(wishes, link)
         yield from _clusters(wishes, link)

@@ -14,11 +14,14 @@ from robolayout.constraints.in_rows import InRows
 from robolayout.constraints.in_shape import InShape, circle_across
 from robolayout.constraints.keep_clear import KeepClear
 from robolayout.constraints.on_top_of import OnTopOf
+from robolayout.constraints.point_towards import PointTowards
 from robolayout.constraints.under import Under
 from robolayout.planners._knowledge import Role
 from robolayout.planners._roles import Cast
 from robolayout.scene import Scene
 from robolayout.words import CROWD, Demand
+
+AWAY = 180.0  # degrees by which what has its back to something is turned from it
 
 PLACELESS = ("point_towards", "align_with", "under", "above", "keep_clear")
 """Relations that say nothing of where their thing stands on the floor: looking at something, or as something, moves nothing."""
@@ -82,8 +85,8 @@ def in_blocks(demands: Iterable[Demand]) -> list[tuple[str, ...]]:
 
 
 def looked_at(demands: Iterable[Demand]) -> dict[str, str]:
-    """Return what is asked to look at another thing, with that."""
-    pairs = (one.asset_names() for one in said(demands) if one.name == "point_towards")
+    """Return what is asked to look at another thing, with that; what has its back to it does not."""
+    pairs = (one.asset_names() for one in said(demands) if isinstance(one, PointTowards) and one.angle != AWAY)
     return {pair[0]: pair[1] for pair in pairs if len(pair) == 2}
 
 

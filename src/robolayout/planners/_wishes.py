@@ -45,6 +45,7 @@ FOOTLESS = (
 
 Size = tuple[float, float, float]
 
+UNITS, ONE_LOCKER = 4, 0.45  # lockers up to which each is a unit of several; metres of width of one alone
 APART = 0.25  # metres between things that lie on a rug or sit in a line
 LONGEST = 50.0  # metres of the longest thing that a room is furnished with
 ELBOWS = 0.6  # metres of a table's edge for who sits there
@@ -290,10 +291,9 @@ class RoomWishes:
         depth, width, height = size
         said = self.reading.parsed
         links = [link for link in said.links if thing in named(link.objects)]
-        at_it = [(link.relation, one.thing) for link in links for one in link.subjects]
         led = {one for link in said.links for one in named(link.subjects)}
-        at_it += [("with", one) for one in said.things if one.noun.kind == "bar stool" and one not in led]
-        for relation, other in at_it:
+        loose = [("with", one) for one in said.things if one.noun.kind == "bar stool" and one not in led]
+        for relation, other in [*((link.relation, one.thing) for link in links for one in link.subjects), *loose]:
             kind, each = other.noun.kind, other.count / thing.count
             own = self.lexicon.kinds[self.kind(other)].size
             across = self.ring(other, thing) if relation == "on" else 0.0
@@ -304,6 +304,7 @@ class RoomWishes:
                 depth, width = round(depth * times, 2), round(width * times, 2)
             elif _sits_in_a_line(thing, relation, kind, each):
                 width = round(max(width, each * (own[1] + (APART if kind.endswith(SEATS) else APART / 2))), 2)
+        width = min(width, ONE_LOCKER) if thing.head == "locker" and thing.count > UNITS else width
         if thing.sizes or not thing.noun.kind.endswith("table"):
             return depth, width, height
         name = thing.noun.said if "oval" in thing.noun.said else thing.noun.kind

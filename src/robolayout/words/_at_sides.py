@@ -426,13 +426,6 @@ class AtSides(HowFar):
                 turned, *touching = self._lengthwise(a, WallRef(wall), angle)
                 yield (turned, *held, *touching) if relation == "sidelong" else (turned, *held)
 
-    def _straight(self, subjects: Sequence[str], others: Sequence[str]) -> Iterator[Way]:
-        """Yield how one seat is opposite several that have their place: "two armchairs by the fire, and a sofa facing them"."""
-        placed = len(others) > len(subjects) == 1 and others[0] in self.put
-        seats = placed and all(self._is(name, small.SEATS) for name in (*subjects, *others))
-        for b in others if seats else ():
-            yield from by_ways(ways_of.OPPOSITE_SEATS[:1], subjects[0], b).ways
-
     def _to_openings(self, a: str, place: Place | None, angles: Sequence[float]) -> Iterator[Way]:
         """Yield how a thing looks straight at a door from beside it, along its wall, or at a window, too, from the middle or a corner."""
         turn = (self.beside.get(a, 0.0) + angles[0]) % 360.0

@@ -28,7 +28,7 @@ from robolayout.words._rows import ToldRows, alike, neighbours
 from robolayout.words._said import Link, Mention, NamedThing, Place, mentions, named, place_in, places
 from robolayout.words._shelves import shelved
 from robolayout.words._walls import walls_meant
-from robolayout.words.demands import Demand, by_ways, single, stated
+from robolayout.words.demands import Demand, Way, by_ways, single, stated
 
 
 class Demander(InOrder):
@@ -345,6 +345,14 @@ class Demander(InOrder):
                 ways.append((stated("align_with", AssetRef(a), AssetRef(others[0]), 180.0),))
             if ways:
                 yield Demand(tuple(ways))
+
+    def _straight(self, subjects: Sequence[str], others: Sequence[str]) -> Iterator[Way]:
+        """Yield how one seat is opposite several that have their place, or from its corner a TV: "a sofa facing them"."""
+        placed = len(others) > len(subjects) == 1 and others[0] in self.put
+        cornered = len(others) == 1 and subjects[0] in self.cornered and self._is(others[0], small.WATCHED)
+        seats = cornered or (placed and all(self._is(name, small.SEATS) for name in others))
+        for b in others if seats and self._is(subjects[0], small.SEATS) else ():
+            yield from by_ways(ways_of.OPPOSITE_SEATS[:1], subjects[0], b).ways
 
     def _class_of(self, a: str) -> list[str]:
         """Return the seats or desks of those to whom somebody speaks at a thing; nothing where it is none, or they are few."""

@@ -76,6 +76,8 @@ def _settle_by_company(parsed: Parsed, heads: Set[str]) -> None:
             thing.noun = replace(thing.noun, kind="stool", others=())  # a piano's bench
         elif thing.noun.words == "stool" and bar:
             take(thing, "bar stool")
+        elif thing.noun.kind == "waiting bench" and thing.noun.said.endswith("chair") and thing.count > 1:
+            take(thing, "chair")  # "five linked chairs"
         elif thing.noun.kind == "kitchen sink" and "bathroom" in rooms:
             take(thing, "bathroom vanity")
         elif meant := small.OF_ROOMS.get(thing.noun.said, {}).keys() & rooms:

@@ -192,17 +192,32 @@ class AtPlaces:
             pairs = zip(subjects, to, strict=True)  # "shelves on the left and right walls"
             found = [tuple(self._ways_at(a, at, on=on, share=share and not each, under=under)) for a, at in pairs]
             found = [ways[i : i + 1] for i, ways in enumerate(found)] if each else found
-            told = walls_meant(self.room, place) if place.name == "wall" else []
-            # "beds along the side walls"
-            two = place.plural and {"long", "short", "side"} & {grammar().walls.get(word) for word in place.words}
-            few = len(told) if two or every else place.number or 0
-            if 1 < few <= min(len(subjects), len(told)):  # "shelves on both long walls": each of them has some
-                some = subjects[:: len(subjects) // few][:few]
-                sets = [zip(some, walls, strict=True) for walls in combinations(told, few)]
-                at = ((stated(self._held(a, on), AssetRef(a), WallRef(wall.index)) for a, wall in one) for one in sets)
-                yield Demand(tuple(map(tuple, at)))
-                found = [ways for a, ways in zip(subjects, found, strict=True) if a not in some]
+            some, asked = self._shared_by_walls(subjects, place, on=on, every=every)
+            yield from asked
+            found = [ways for a, ways in zip(subjects, found, strict=True) if a not in some]
             yield from (Demand(ways) for ways in found if ways)
+
+    def _shared_by_walls(
+        self, subjects: Sequence[str], place: Place, *, on: bool, every: bool
+    ) -> tuple[Sequence[str], list[Demand]]:
+        """Return which things are at several walls, and that they are: some at each, all of them where they are alike.
+
+        So are "shelves on both long walls", "beds along the side walls", "eight chairs along two walls".
+        """
+        told = walls_meant(self.room, place) if place.name == "wall" else []
+        two = place.plural and {"long", "short", "side"} & {grammar().walls.get(word) for word in place.words}
+        few = len(told) if two or every else place.number or 0
+        if not 1 < few <= min(len(subjects), len(told)):
+            return (), []
+        some = subjects if alike(self.scene, subjects) else subjects[:: len(subjects) // few][:few]
+        shares = [i * few // len(some) for i in range(len(some))]
+        doors = {one.wall for one in openings(self.room, "door")}
+        chosen = sorted(combinations(told, few), key=lambda walls: sum(wall.index in doors for wall in walls))
+        sets = [[(a, walls[i]) for a, i in zip(some, shares, strict=True)] for walls in chosen]
+        at = ((stated(self._held(a, on), AssetRef(a), WallRef(wall.index)) for a, wall in one) for one in sets)
+        lines = [[a for a, i in zip(some, shares, strict=True) if i == k] for k in range(few)]
+        rows = [in_rows(line, 1) for line in lines if len(line) >= ways_of.CROWD]
+        return some, [Demand(tuple(map(tuple, at))), *rows]
 
     def _ways_at(self, a: str, place: Place, *, on: bool, share: bool, under: bool = False) -> Iterator[Way]:
         """Yield the ways in which one thing can be at a place of the room; `under` a window it stands at its wall."""

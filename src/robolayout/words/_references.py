@@ -289,7 +289,7 @@ class References(Counting):
         if seated and others and self._ahead(-1).kind == "pron" and self.holder[0].thing.count == 1:
             objects = list[Item](others)  # "two shelves and a table with four chairs in front of them"
         to_it = named(self.holder) & named(objects)
-        hangs = held and chunk.value == "above" and not {"floor", "object"} & {*self.holder[0].thing.places}
+        hangs = held and chunk.value == "above" and self._hangs(self.holder[0].thing)
         laid = laid or bool((seated or hangs) and objects and not to_it)
         seats = held and bool(objects) and self.group[-1].sat_on  # "a table with four chairs on a rug"
         laid = laid or (seats and _over_or_under(chunk.value, objects[0]) and not to_it)
@@ -298,6 +298,11 @@ class References(Counting):
         swapped = swapped and not (central and place_in(objects[:1], "wall", "corner", "window", "door"))
         built = [m for m in self.group if m.thing.category.built_in and place_in(objects[:1], "wall")]
         return ([*self.holder, *built] if swapped else subjects), objects
+
+    def _hangs(self, holder: NamedThing) -> bool:
+        """Return whether what has other things hangs itself: a cabinet on the wall, "a shelf with towels above the tub"."""
+        shelf = holder.noun.said == "shelf" and self.group[-1].thing.category.on_object
+        return not {"floor", "object"} & {*holder.places} or (shelf and any(k.on_wall for k in holder.noun.categories))
 
     def _across(self, subjects: Sequence[Mention]) -> list[Item]:
         """Return what a thing is opposite with what it bears, or those who sit at it: "a bar with stools opposite"."""
