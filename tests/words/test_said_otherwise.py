@@ -42,6 +42,9 @@ def rows(text: str) -> list[Unjudged]:
         ("a craft room with two sewing machines on tables, each with a chair", "on_top_of(sewing_machine-0, dining_table-0)"),
         ("a lounge with a sectional sofa in the corner facing a screen", "corner(sectional_sofa-0, 0)"),
         ("a cafe with three tables along a bench and a stool on the other side of each table", "near(stool-0, "),
+        ("a laboratory with two workbenches in the middle with an aisle of 1.2 m between them", "in_rows([workbench-0, workbench-1]"),
+        ("a gym with a rack with dumbbells along the mirrored wall", "near(shelving_unit-0, mirrored_wall-0"),
+        ("a workshop with a tool wall at the back", "mounted_on(pegboard-0, walls[2])"),
         ("a waiting room with eight chairs along two walls", "against_wall(chair-0, walls[1]), against_wall(chair-1, walls[1]), "),
         ("a bedroom with two single beds half a metre apart", "single_bed-0 0.5 to 0.8 m from single_bed-1"),
         ("a study with a desk a metre from the window", "desk-0 1 to 1.3 m from ("),
@@ -285,6 +288,11 @@ def test_a_mirror_beside_what_hangs_hangs_too() -> None:
         ("a classroom with six workbenches for four pupils each", {"workbench": 6, "stool": 24}),
         ("a waiting area with three rows of five linked chairs", {"chair": 15}),
         ("a garage with a motorcycle and a bike", {"motorcycle": 1, "bicycle": 1}),
+        ("a meeting room with a twelve-seat table", {"office chair": 12}),
+        ("a bathroom with a double vanity and a step stool in front of each sink", {"bathroom vanity": 1, "step stool": 2}),
+        ("an office with a phone booth in two corners", {"fitting room": 2}),
+        ("a therapy room where the therapist's chair and the client's chair face each other", {"chair": 1, "client chair": 1}),
+        ("a studio for an online teacher: a desk with a bookshelf as backdrop behind it", {"bookshelf": 1, "bed": 0}),
     ],
 )
 def test_everyone_has_a_seat_and_what_is_for_each(text: str, count: dict[str, int]) -> None:

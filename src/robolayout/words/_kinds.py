@@ -212,7 +212,7 @@ def _where(link: Link) -> str:
         return "ceiling" if link.relation == "above" else standing
     bearer = to.thing
     if link.relation == "above":
-        return "ceiling" if bearer.head in (*small.TOPS, "chair", "island") else "wall"
+        return "ceiling" if bearer.head in (*small.TOPS, "chair", "stool", "island") else "wall"
     if link.relation == "on" or link.level:
         return "floor" if bearer.category.size[2] < FLAT_HEIGHT else "object"
     if link.relation == "with" and bearer.head in (*small.BEARING, "stand"):

@@ -250,6 +250,9 @@ class AtPlaces:
             if "front" in place.words and boards and not self._only_wall(a):  # where all look, not the wall of the door
                 yield from self._ways_at_the_front(ref, boards, [w for w in ("left", "right") if w in place.words])
                 return
+            if self._only_wall(a) and len(place.words) == 1 and place.words[0] in grammar().walls:
+                yield from self._ways_at_a_wall(a, replace(place, name="wall"), on=True)  # "a pegboard at the back"
+                return
             yield from ((stated("zone", ref, half),) for half in halves_meant(self.room, place))
 
     def _in_corner(self, a: str, vertex: int) -> Relation:

@@ -126,6 +126,9 @@ class References(Counting):
         owned = {word.removesuffix("s") for word in chunk.adjectives} if alike else said
         if last.count > 1 and not chunk.plural and owned & small.PEOPLE:
             return None  # "the teacher's desk"
+        theirs = {word.removesuffix("s") for word in last.adjectives} & small.PEOPLE - said  # "the doctor's chair"
+        if theirs and said - {word.removesuffix("s") for word in last.phrase}:
+            return None  # "the therapist's chair and the client's chair"
         told = number is not None and not (target and one)
         if told and last.definite and last.number is None and last.plural and alike:
             last.number = number  # "facing the mirrors, three mirrors on the wall"
@@ -139,10 +142,7 @@ class References(Counting):
             again = earlier and last.count == 1 and (last.definite or (not self.group and follows in ("with", "verb")))
             return last if alike and (again or follows == "rel" or self._previous(chunk) == "from") else None
         if chunk.det == "a":
-            theirs = {word.removesuffix("s") for word in last.adjectives} & small.PEOPLE - said
-            again = alike and (
-                target or (last.definite and not theirs)
-            )  # "the doctor's chair, a chair for the patient"
+            again = alike and (target or (last.definite and not theirs))
             last.definite = last.definite and target
             return last if again else None
         new = chunk.det == "new" and not 0 < self.dealt.get(last, 0) < last.count

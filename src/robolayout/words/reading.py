@@ -140,7 +140,10 @@ class Reading:
         """Words before nouns of which nothing is known ("a frilly bed"), in order."""
         said = (word for thing in self.parsed.things for word in thing.adjectives)
         known = grammar().adjectives
-        return list(dict.fromkeys(word for word in said if word not in known and count_of(word) is None))
+        told = dict.fromkeys(
+            word for word in said if word.removesuffix("s") not in small.PEOPLE
+        )  # not "the doctor's chair"
+        return [word for word in told if word not in known and count_of(word) is None]
 
     @property
     def style(self) -> str:
