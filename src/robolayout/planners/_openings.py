@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from robolayout.assets import Category
+from robolayout.planners._room_size import depth_before_a_board
 from robolayout.planners._wishes import RoomWishes
 from robolayout.scene import Opening, Room
 from robolayout.words import (
@@ -188,8 +189,12 @@ def _held_besides(
 ) -> Iterator[tuple[list[list[int]], list[Category]]]:
     """Yield the walls that a link takes without naming them: the one opposite the door of a shop, a long one for what hangs there.
 
-    That is a row of mirrors, hooks over a bench between two cabinets, or a mirror over what is opposite the door.
+    That is a row of mirrors, hooks over a bench between two cabinets, a mirror over what is opposite the door, or a short
+    wall for the board at which rows look that are deeper than the room is wide.
     """
+    x0, y0, x1, y1 = room.bounds
+    if room.doors and depth_before_a_board(wishes, link) > min(x1 - x0, y1 - y0):
+        yield [_meant(room, Place("wall", ("short",)))[-1:]], [wishes.kinds["whiteboard"]]
     if not room.doors and any({"back", "rear"} & {*at.words} for at in places(link.objects, "side")):
         yield [_meant(room, Place("wall", ("back",)))], there
     mirrors = [wishes.kinds[m.thing.noun.kind] for m in mentions(link.objects) if m.thing.noun.kind == "mirror"]

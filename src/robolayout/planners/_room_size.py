@@ -282,3 +282,11 @@ def possible(wishes: RoomWishes, wished: Mapping[str, int], size: tuple[float, f
                 f"a {name} of {kind.size[0]:g} x {kind.size[1]:g} m does not fit into a room of {size[0]:g} x {size[1]:g} m; "
                 "ask for a larger room or leave it out."
             )
+
+
+def depth_before_a_board(wishes: RoomWishes, link: Link) -> float:
+    """Return how many metres deep told rows are that look at a board, with the floor before and behind them; 0 for others."""
+    line = [mention for mention in link.subjects if mention.thing.category.on_floor]
+    roles = [wishes.role(wishes.kind(mention.thing)) for mention in line]
+    looking = any(role is not None and "board" in role.face.roles for role in roles)
+    return max((ahead for _, ahead in _in_rows(wishes, link, line, set())), default=0.0) if looking else 0.0

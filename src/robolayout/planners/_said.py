@@ -18,6 +18,7 @@ from robolayout.constraints.point_towards import PointTowards
 from robolayout.constraints.under import Under
 from robolayout.planners._knowledge import Role
 from robolayout.planners._roles import Cast
+from robolayout.planners._room_size import SIZES
 from robolayout.scene import Scene
 from robolayout.words import CROWD, Demand
 
@@ -82,6 +83,23 @@ def in_blocks(demands: Iterable[Demand]) -> list[tuple[str, ...]]:
     """Return what is asked to stand in so many rows, block by block."""
     found = (one.asset_names() for one in said(demands) if isinstance(one, InRows) and one.rows is not None)
     return [*dict.fromkeys(found)]
+
+
+def too_shallow(scene: Scene, demands: Iterable[Demand]) -> list[int]:
+    """Return the walls before which not as many rows fit as are asked: there hangs no board at which all look."""
+    x0, y0, x1, y1 = scene.room.bounds
+    for block in (one for one in said(demands) if isinstance(one, InRows) and (one.rows or 0) > 1):
+        names = block.asset_names()
+        if len(names) < CROWD:
+            continue
+        size, rows = scene.by_name[names[0]].size, block.rows or 1
+        ahead = rows * (size[0] + SIZES.between) + SIZES.around + SIZES.before
+        deep = {
+            wall.index: (y1 - y0) if abs(wall.normal[1]) > abs(wall.normal[0]) else (x1 - x0)
+            for wall in scene.room.walls
+        }
+        return [index for index, depth in deep.items() if depth < ahead - SIZES.around]
+    return []
 
 
 def looked_at(demands: Iterable[Demand]) -> dict[str, str]:

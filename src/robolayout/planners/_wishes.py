@@ -16,6 +16,7 @@ from robolayout.assets.palette import LOOKS
 from robolayout.constraints.in_shape import circle_across
 from robolayout.planners._knowledge import DATA, Knowledge, Role
 from robolayout.planners._room_type import room_meant
+from robolayout.planners._seats import AT_ONE, SEATS, promised, seats_of, sit_in_a_line
 from robolayout.scene import FLAT_HEIGHT
 from robolayout.words import (
     CROWD,
@@ -39,9 +40,7 @@ from robolayout.words import (
 )
 
 CARRIED = 0.5  # square metres of floor up to which a thing is put on another, where it is asked to stand there
-FOOTLESS = (
-    0.09  # metres up to which a thing stands out from a wall where it hangs there instead of standing on its foot
-)
+FOOTLESS = 0.09  # metres up to which a thing stands out from a wall where it hangs there, not on its foot
 
 Size = tuple[float, float, float]
 
@@ -49,7 +48,6 @@ UNITS, ONE_LOCKER = 4, 0.45  # lockers up to which each is a unit of several; me
 APART = 0.25  # metres between things that lie on a rug or sit in a line
 LONGEST = 50.0  # metres of the longest thing that a room is furnished with
 ELBOWS = 0.6  # metres of a table's edge for who sits there
-AT_ONE = 10  # seats up to which "tables for six" is said of each of them
 ENDS = 2  # seats at the ends of a table, which stay free where all sit at its longer sides
 APART_AT_TABLE = 0.03  # metres between seats that are wider
 FOR_TWO = 0.8  # metres of a table for two
@@ -62,8 +60,8 @@ IN_A_SHAPE = 6  # things in a circle, a half circle or a U of which no number is
 
 LARGEST = 8.0  # how many times as large as usual a room is up to which the number of its zones and people grows
 INSTEAD: Mapping[str, str] = DATA["instead"]
-LOW, SMALL, GENERAL, SIZE_WORDS, SEATS, AT_A_LINE, VAGUE = (
-    (*DATA["nouns"][name],) for name in ("low", "small", "general", "sizes", "seats", "at_a_line", "vague")
+LOW, SMALL, GENERAL, SIZE_WORDS, VAGUE = (
+    (*DATA["nouns"][name],) for name in ("low", "small", "general", "sizes", "vague")
 )
 
 
@@ -190,7 +188,7 @@ class RoomWishes:
     @property
     def seats(self) -> int:
         """Seats that are promised: at each of "five tables for four", at all "tables for 14 people" together."""
-        return round(sum(_promised(thing) * thing.count for thing in self.reading.parsed.things))
+        return round(sum(promised(thing) * thing.count for thing in self.reading.parsed.things))
 
     @property
     def ignored(self) -> tuple[str, ...]:
@@ -209,7 +207,7 @@ class RoomWishes:
         said = [word for word in thing.noun.said.split() if word not in SIZE_WORDS]
         room, kind = self.room, thing.noun.kind
         told = {*thing.adjectives}.difference(SIZE_WORDS, LOOKS, grammar().sizes)
-        if len(said) != 1 or said[0] not in GENERAL or thing.noun.guessed or told:
+        if len(said) != 1 or said[0] not in GENERAL or thing.noun.guessed or told or _rounded(thing):
             return kind
         (word,), links = said, self.reading.parsed.links
         at = [item for link in links if thing in named(link.subjects) for item in link.objects]
@@ -302,13 +300,13 @@ class RoomWishes:
             elif relation == "on" and height < FLAT_HEIGHT:
                 times = math.sqrt(max(1.0, each * (max(own[:2]) + APART) ** 2 / (depth * width)))
                 depth, width = round(depth * times, 2), round(width * times, 2)
-            elif _sits_in_a_line(thing, relation, kind, each):
+            elif sit_in_a_line(thing, relation, kind, each):
                 width = round(max(width, each * (own[1] + (APART if kind.endswith(SEATS) else APART / 2))), 2)
         width = min(width, ONE_LOCKER) if thing.head == "locker" and thing.count > UNITS else width
         if thing.sizes or not thing.noun.kind.endswith("table"):
             return depth, width, height
         name = thing.noun.said if "oval" in thing.noun.said else thing.noun.kind
-        seats = math.ceil(_seats(thing, links)) or self._everyone(thing, links)
+        seats = math.ceil(seats_of(thing, links)) or self._everyone(thing, links)
         sided = {link.sided for link in links} - {""}
         seats += ENDS if sided and "end" not in sided and thing.sides == 2 else 0
         told = {*thing.adjectives} & {*grammar().sizes}  # a long table for two stays long
@@ -429,22 +427,6 @@ def _usual(name: str, counts: Mapping[str, int]) -> int:
     return max((counts.get(kind, 0) for kind in next((like for like in LIKE if name in like), {name})), default=0)
 
 
-def _seats(thing: NamedThing, links: Sequence[Link]) -> float:
-    """Return the seats that each of a thing is said to have: "for ten", "with six chairs", "ten chairs around it"."""
-    if thing.people:
-        return _promised(thing)
-    others = dict.fromkeys(one.thing for k in links if k.relation in ("with", "around") for one in k.subjects)
-    return sum(other.count for other in others if other.noun.kind.endswith(SEATS)) / thing.count
-
-
-def _promised(thing: NamedThing) -> float:
-    """Return the seats at each of a thing that "for ten" promises; tables of which no number is said share what more than one seats."""
-    return thing.people / (thing.count if thing.plural and thing.number is None and thing.people > AT_ONE else 1)
-
-
-def _sits_in_a_line(thing: NamedThing, relation: str, kind: str, each: float) -> bool:
-    """Return whether so many of a kind are side by side at a thing: stools at a counter, tables at a bench, two at a desk."""
-    if thing.noun.kind.endswith("counter"):
-        return relation in AT_A_LINE and kind.endswith(SEATS)
-    at_desk = relation == "with" and thing.noun.said == "desk" and kind.endswith("chair")
-    return each > 1 and (at_desk or (relation == "front" and thing.head == "bench" and kind.endswith("table")))
+def _rounded(thing: NamedThing) -> bool:
+    """Return whether a thing is said to be round, and is of a kind that is: "a round wooden table"."""
+    return "round" in thing.of_all and thing.noun.kind.startswith("round")

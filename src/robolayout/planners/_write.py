@@ -24,6 +24,7 @@ from robolayout.words import Demand, rows_of
 class Saying:
     """What is demanded and what is wished, and how much."""
 
+    shallow: float = -4.0  # weight of a board's wall before which not as many rows fit as are asked
     first: float = 0.6
     only: float = 8.0
     """Weights of the first of several ways of standing, where the middle of the room is as good and where it is a last resort."""
@@ -65,6 +66,7 @@ class Writer:
         self.below = asked.hung_over(scene, words)  # nothing else hangs there
         self.over = {high for high, _ in asked.hung(words)}  # they hang nowhere else
         self.middle, self.lain = asked.in_the_middle(words), asked.lain_at(words)
+        self.shallow = asked.too_shallow(scene, words)
 
     def order(self) -> list[str]:
         """Return all assets, what is placed first first: low ranks, big things, and what joins a thing right after it."""
@@ -314,6 +316,8 @@ class Writer:
             "at_wall": "mounted_on" if _modes(item)[0] == "hang" else "against_wall",
             "longest": f"walls[{longest.index}]",
         }
+        for index in self.shallow if item.role.name == "board" else ():
+            yield _wish(f"mounted_on({values['a']}, walls[{index}])", SAYING.shallow)
         there = {"window": bool(room.windows), "door": bool(room.doors), "straight": item.name not in self.asked}
         for key, weight in prefer.items():
             word, _, role = key.partition(" ")

@@ -240,7 +240,8 @@ class Demander(InOrder):
             back = stated("behind", AssetRef(a), AssetRef(b), 0.0, gap)
             used = stated("in_front_of", AssetRef(a), AssetRef(b), *past)
             seated = self._sits_behind(a, b)
-            demand = single(*([used] if b in self.looking else [used, back] if seated else [back]))
+            taught = self._is(b, ("teacher desk",)) and self._is(a, small.BOARDS)
+            demand = single(*([used] if b in self.looking or taught else [used, back] if seated else [back]))
             yield self._or_abreast(a, last.get(b), demand)
             last[b] = a
 

@@ -209,14 +209,15 @@ class AtPlaces:
         few = len(told) if two or every else place.number or 0
         if not 1 < few <= min(len(subjects), len(told)):
             return (), []
-        some = subjects if alike(self.scene, subjects) else subjects[:: len(subjects) // few][:few]
+        same = len({self._asset(a).size for a in subjects}) == 1
+        some = subjects if same else subjects[:: len(subjects) // few][:few]
         shares = [i * few // len(some) for i in range(len(some))]
         doors = {one.wall for one in openings(self.room, "door")}
         chosen = sorted(combinations(told, few), key=lambda walls: sum(wall.index in doors for wall in walls))
         sets = [[(a, walls[i]) for a, i in zip(some, shares, strict=True)] for walls in chosen]
         at = ((stated(self._held(a, on), AssetRef(a), WallRef(wall.index)) for a, wall in one) for one in sets)
         lines = [[a for a, i in zip(some, shares, strict=True) if i == k] for k in range(few)]
-        rows = [in_rows(line, 1) for line in lines if len(line) >= ways_of.CROWD]
+        rows = [in_rows(line, 1) for line in lines if len(line) >= ways_of.CROWD and alike(self.scene, line)]
         return some, [Demand(tuple(map(tuple, at))), *rows]
 
     def _ways_at(self, a: str, place: Place, *, on: bool, share: bool, under: bool = False) -> Iterator[Way]:
@@ -246,14 +247,18 @@ class AtPlaces:
             most = max(ways_of.LEAST_MIDDLE, ways_of.MIDDLE_SHARE * min(x1 - x0, y1 - y0)) * wider
             yield (stated("distance_constraint", ref, PointRef(*centre(self.room)), None, round(most, 2)),)
         elif place.name == "side":
-            boards = [one.name for one in self.scene.assets if self._is(one.name, small.BOARDS)]
-            if "front" in place.words and boards and not self._only_wall(a):  # where all look, not the wall of the door
-                yield from self._ways_at_the_front(ref, boards, [w for w in ("left", "right") if w in place.words])
-                return
-            if self._only_wall(a) and len(place.words) == 1 and place.words[0] in grammar().walls:
-                yield from self._ways_at_a_wall(a, replace(place, name="wall"), on=True)  # "a pegboard at the back"
-                return
-            yield from ((stated("zone", ref, half),) for half in halves_meant(self.room, place))
+            yield from self._ways_on_a_side(a, place)
+
+    def _ways_on_a_side(self, a: str, place: Place) -> Iterator[Way]:
+        """Yield the ways in which one thing is in a half of the room: before the board at the front, on its wall if it hangs."""
+        boards = [one.name for one in self.scene.assets if self._is(one.name, small.BOARDS)]
+        if "front" in place.words and boards and not self._only_wall(a):  # where all look, not the wall of the door
+            aside = [word for word in ("left", "right") if word in place.words]
+            yield from self._ways_at_the_front(AssetRef(a), boards, aside)
+        elif self._only_wall(a) and len(place.words) == 1 and place.words[0] in grammar().walls:
+            yield from self._ways_at_a_wall(a, replace(place, name="wall"), on=True)  # "a pegboard at the back"
+        else:
+            yield from ((stated("zone", AssetRef(a), half),) for half in halves_meant(self.room, place))
 
     def _in_corner(self, a: str, vertex: int) -> Relation:
         """Return that a thing is in a corner, about there where nothing of it can touch a wall."""

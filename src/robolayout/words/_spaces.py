@@ -68,7 +68,8 @@ class Spaces(About):
 
     def _aisles(self, chunk: Chunk, measure: Measure) -> bool:
         """Note how far rows are apart, or how wide ways are, by what is between: "aisles 1.5 m wide", "with 2 m aisles"."""
-        rows = [link for link in self._here if link.relation == "rows"]
+        said = self._here if self.group or self.subject else self.said.links  # "The aisles between them are 2 m wide."
+        rows = [link for link in said if link.relation == "rows"]
         follows = self._ahead().value in ("aisle", "aisles")
         # "a 1.2 m aisle between them"
         amid = follows and (self._ahead(1).value, self._ahead(2).kind) == ("amid", "pron")

@@ -299,9 +299,13 @@ class _RowMaker:
         return Unjudged(understanding, "relation", said + " ..." * (len(demands) > 2), judge, things, demands)
 
     def _left_out(self, link: Link, row: Unjudged) -> Iterator[Unjudged]:
-        """Yield the things of a relation that its row asks nothing of, while it does of others."""
+        """Yield the things of a relation that its row asks nothing of, while it does of others, or of some in line with them."""
+        others = (k for k in self.reading.parsed.links if k is not link and k.relation in ("abreast", "row"))
+        lines = [named(k.subjects) for k in others]
+        about = {thing for thing, names in self.names.items() if {*names} & {*row.things}}
+        lined = {thing for line in lines if line & about for thing in line}
         for item in mentions((*link.subjects, *link.objects)) if row.demands else ():
-            if (names := self.names.get(item.thing)) and not {*names} & {*row.things}:
+            if self.names.get(item.thing) and item.thing not in about | lined:
                 yield as_row.unread(f"{as_row.shown(item)}: {row.words}", "nothing is asked of it there")
 
     def _way(self, link: Link, words: str) -> Unjudged:
