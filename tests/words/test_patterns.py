@@ -295,7 +295,7 @@ def test_what_each_has_is_counted(said: str, counts: dict[str, int]) -> None:
         ("A bedroom with a bed against the wall, its headboard in the middle.", "against_wall(bed-0, walls[0]), centered_on(bed-0"),
         ("A veranda. A round table with four chairs is on the right.", "zone(round_table-0"),
         ("A dance studio. The middle of the room is completely empty.", "zone("),
-        ("A kitchen with white cabinets along two walls meeting in a corner.", "against_wall(cabinet-0, walls["),
+        ("A kitchen with white cabinets along two walls meeting in a corner.", "against_wall(kitchen_cabinet-0, walls["),
         ("A waiting room with a reception counter. Brochure racks are next to the reception.", "near(magazine_rack-0, reception_d"),
         ("A training room. A table with coffee and snacks is along the back wall.", "against_wall(dining_table-0, walls["),
         ("A coffee shop. Six round tables are scattered in the center.", "distance_constraint(round_table-0"),

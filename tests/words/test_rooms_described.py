@@ -270,7 +270,8 @@ def test_what_several_flank_is_what_it_stands_for(text: str) -> None:
         ("A living room with an armchair looking out the window", "point_towards(armchair-0, (3.24, 0, 0))"),
         (
             "I want a kids room; the bookcase goes facing inwards please",
-            "align_with(bookshelf-0, walls[0], angle=90), zone(bookshelf-0, [(0, 0, 0), (3.8, 0, 0), (3.8, 2.1, 0), (0, 2.1, 0)]) or one of 4 other ways",
+            "align_with(bookshelf-0, walls[0], angle=90), "
+            "zone(bookshelf-0, [(0, 0, 0), (3.8, 0, 0), (3.8, 2.1, 0), (0, 2.1, 0)]) or one of 4 other ways",
         ),
     ],
 )

@@ -292,11 +292,19 @@ def test_a_mirror_beside_what_hangs_hangs_too() -> None:
         ("a waiting area with three rows of five linked chairs", {"chair": 15}),
         ("a garage with a motorcycle and a bike", {"motorcycle": 1, "bicycle": 1}),
         ("a meeting room with a twelve-seat table", {"office chair": 12}),
+        ("a kitchen with white cabinets along the back wall", {"kitchen cabinet": 2, "cabinet": 0}),
+        ("a kitchen with a counter and two cabinets above it", {"wall cabinet": 2, "kitchen cabinet": 0}),
         ("a dining room with a round wooden table and five chairs", {"round table": 1, "chair": 5}),
         ("a cafe with a plant in each corner by the window", {"plant": 2}),
-        ("a bathroom with a double vanity and a step stool in front of each sink", {"bathroom vanity": 1, "step stool": 2}),
+        (
+            "a bathroom with a double vanity and a step stool in front of each sink",
+            {"bathroom vanity": 1, "step stool": 2},
+        ),
         ("an office with a phone booth in two corners", {"fitting room": 2}),
-        ("a therapy room where the therapist's chair and the client's chair face each other", {"chair": 1, "client chair": 1}),
+        (
+            "a therapy room where the therapist's chair and the client's chair face each other",
+            {"chair": 1, "client chair": 1},
+        ),
         ("a studio for an online teacher: a desk with a bookshelf as backdrop behind it", {"bookshelf": 1, "bed": 0}),
     ],
 )

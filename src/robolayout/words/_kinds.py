@@ -47,8 +47,7 @@ def _settle_table(thing: NamedThing, heads: Set[str], *, alone: bool) -> None:
     """Take small tables for those to eat at where chairs go with them, for side tables by armchairs; round ones for round ones."""
     if thing.noun.said == "table" and {"small", "little"} & {*thing.adjectives}:  # "a small wooden table"
         thing.adjectives = tuple(word for word in thing.adjectives if word not in ("small", "little"))
-        kind, *others = phrase_index()["small table"]
-        thing.noun = replace(thing.noun, words=kind, kind=kind, said="small table", others=tuple(others))
+        _mean(thing, "small table", "small table")
     noun = thing.noun
     if noun.said == "small table" and (alone or thing.promising):
         take(thing, "round table" if alone else "dining table")
@@ -61,6 +60,12 @@ def _settle_table(thing: NamedThing, heads: Set[str], *, alone: bool) -> None:
     rounded = f"round {'table' if noun.kind in (*small.TABLES, 'conference table') else noun.kind}"
     if small.ROUND & {*thing.of_all} and rounded in CATALOGUE:
         take(thing, rounded)
+
+
+def _mean(thing: NamedThing, phrase: str, said: str) -> None:
+    """Take a thing for what a phrase means, one of several kinds, whatever was said."""
+    kind, *others = phrase_index()[phrase]
+    thing.noun = replace(thing.noun, words=kind, kind=kind, said=said, others=tuple(others))
 
 
 def _settle_by_company(parsed: Parsed, heads: Set[str]) -> None:
@@ -78,6 +83,10 @@ def _settle_by_company(parsed: Parsed, heads: Set[str]) -> None:
             take(thing, "bar stool")
         elif thing.noun.kind == "waiting bench" and thing.noun.said.endswith("chair") and thing.count > 1:
             take(thing, "chair")  # "five linked chairs"
+        elif (
+            thing.noun.kind == "cabinet" and rooms == {"kitchen"} and thing.count > 1 and "tall" not in thing.adjectives
+        ):
+            _mean(thing, "kitchen cabinet", thing.noun.said)
         elif thing.noun.kind == "kitchen sink" and "bathroom" in rooms:
             take(thing, "bathroom vanity")
         elif meant := small.OF_ROOMS.get(thing.noun.said, {}).keys() & rooms:
