@@ -177,7 +177,7 @@ def _placed(room: Room, wishes: RoomWishes, name: str) -> Iterator[tuple[list[li
             yield [_meant(room, Place("wall", ("short",)))], there
         yield from _held_besides(room, wishes, link, there) if name == "wall" else ()
         for place in places(link.objects, name):
-            known = {*COMPASS, "long", "short"} if room.doors else {*COMPASS}
+            known = {*COMPASS, "long", "short", "side"} if room.doors else {*COMPASS}
             words = {walls[word] for word in place.words if walls.get(word) in known}
             yield [_meant(room, Place("wall", (word,))) for word in words], there
             if room.doors and name == "wall" and place.by is not None and place.by[1].name == "door":
