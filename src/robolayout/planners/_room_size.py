@@ -244,7 +244,7 @@ def _in_rows(
         aisle = SIZES.between if kind.endswith(("desk", "table")) else SIZES.aisle * wide
         aisle = AISLE if rows > 1 and _amid(wishes, {thing}) else aisle + link.metres[0] * spaced
         width += _beside_a_bed(wishes, thing) if thing.head == "bed" else 0.0
-        ahead = rows * (depth + aisle) + SIZES.around + SIZES.before
+        ahead = rows_ahead(rows, depth, aisle)
         seen = [item for k in links if k.relation == "facing" and thing in named(k.subjects) for item in k.objects]
         hung = any(isinstance(item, Place) or not item.thing.category.on_floor for item in seen)
         roles = {name: wishes.role(name) for name in map(wishes.kind, named(seen))}
@@ -282,6 +282,11 @@ def possible(wishes: RoomWishes, wished: Mapping[str, int], size: tuple[float, f
                 f"a {name} of {kind.size[0]:g} x {kind.size[1]:g} m does not fit into a room of {size[0]:g} x {size[1]:g} m; "
                 "ask for a larger room or leave it out."
             )
+
+
+def rows_ahead(rows: int, depth: float, aisle: float = SIZES.between) -> float:
+    """Return how many metres so many rows of things of a depth take with the floor before and behind them."""
+    return rows * (depth + aisle) + SIZES.around + SIZES.before
 
 
 def depth_before_a_board(wishes: RoomWishes, link: Link) -> float:

@@ -18,7 +18,7 @@ from robolayout.constraints.point_towards import PointTowards
 from robolayout.constraints.under import Under
 from robolayout.planners._knowledge import Role
 from robolayout.planners._roles import Cast
-from robolayout.planners._room_size import SIZES
+from robolayout.planners._room_size import SIZES, rows_ahead
 from robolayout.scene import Scene
 from robolayout.words import CROWD, Demand
 
@@ -92,13 +92,12 @@ def too_shallow(scene: Scene, demands: Iterable[Demand]) -> list[int]:
         names = block.asset_names()
         if len(names) < CROWD:
             continue
-        size, rows = scene.by_name[names[0]].size, block.rows or 1
-        ahead = rows * (size[0] + SIZES.between) + SIZES.around + SIZES.before
+        ahead = rows_ahead(block.rows or 1, scene.by_name[names[0]].size[0]) - SIZES.around  # the last may be at a wall
         deep = {
             wall.index: (y1 - y0) if abs(wall.normal[1]) > abs(wall.normal[0]) else (x1 - x0)
             for wall in scene.room.walls
         }
-        return [index for index, depth in deep.items() if depth < ahead - SIZES.around]
+        return [index for index, depth in deep.items() if depth < ahead]
     return []
 
 

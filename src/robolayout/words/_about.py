@@ -28,7 +28,7 @@ class About(References):
                 self.at += 1
             item = self._object(chunk)
             if item is None:
-                self.at = first if self.chunks[first : first + 1] and self.chunks[first].value == "for" else self.at
+                self.at = first if [c.value for c in self.chunks[first : first + 1]] == ["for"] else self.at
                 break  # "in a U for twelve"
             found += [item, *self.pending]
             self.pending = []
