@@ -336,8 +336,7 @@ class Demander(InOrder):
             if len(others) == len(subjects) > 1 and self._into_a_mirror(a, others[i]):
                 ways = [*by_ways(ways_of.BEFORE_A_MIRROR, a, others[i]).ways]
             if len(others) >= ways_of.CROWD and alike(self.scene, others):
-                turn = (180.0 + angles[0] + self._looks(others[0])[0]) % 360.0  # opposite to all of a crowd
-                ways = [(stated("align_with", AssetRef(a), AssetRef(others[0]), turn),), *ways]
+                ways = [self._against(a, others[0]), *ways]  # opposite to all of a crowd
             if i and ways and not others:  # side by side before one window
                 ways = [*by_ways(ways_of.ABREAST, a, subjects[0]).ways, *ways]
             beds = len(subjects) > 1 and self._is(a, small.SLEPT_ON)  # two beds side by side, and a dresser
@@ -355,6 +354,11 @@ class Demander(InOrder):
         for b in others if seats and self._is(subjects[0], small.SEATS) else ():
             yield from by_ways(ways_of.OPPOSITE_SEATS[:1], subjects[0], b).ways
 
+    def _against(self, a: str, b: str) -> Way:
+        """Return that a thing looks against where another one looks."""
+        turn = (180.0 + self._looks(a)[0] + self._looks(b)[0]) % 360.0
+        return (stated("align_with", AssetRef(a), AssetRef(b), turn),)
+
     def _class_of(self, a: str) -> list[str]:
         """Return the seats or desks of those to whom somebody speaks at a thing; nothing where it is none, or they are few."""
         rows = (names for thing, names in self.names.items() if thing.head in small.OWN and len(names) >= ways_of.CROWD)
@@ -365,8 +369,7 @@ class Demander(InOrder):
         """Return where seats stand that face a desk at which somebody sits, that a shape is open to what it faces, who the class."""
         a, to_all = it.subjects[0], it.place is not None and it.place.name == "room"
         if to_all and (crowd := self._class_of(a)):
-            turn = (180.0 + self._looks(a)[0] + self._looks(crowd[0])[0]) % 360.0
-            return [single(stated("align_with", AssetRef(a), AssetRef(crowd[0]), turn))]
+            return [Demand((self._against(a, crowd[0]),))]
         if len(it.others) == 1 and it.others[0] in self.manned and all(self._is(a, small.SEATS) for a in it.subjects):
             visiting = [one for one in it.subjects if (one, it.others[0]) not in self.manning]
             return [by_ways(ways_of.VISITING, one, it.others[0]) for one in visiting]

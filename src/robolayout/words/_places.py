@@ -214,11 +214,14 @@ class AtPlaces:
         shares = [i * few // len(some) for i in range(len(some))]
         doors = {one.wall for one in openings(self.room, "door")}
         chosen = sorted(combinations(told, few), key=lambda walls: sum(wall.index in doors for wall in walls))
-        sets = [[(a, walls[i]) for a, i in zip(some, shares, strict=True)] for walls in chosen]
-        at = ((stated(self._held(a, on), AssetRef(a), WallRef(wall.index)) for a, wall in one) for one in sets)
-        lines = [[a for a, i in zip(some, shares, strict=True) if i == k] for k in range(few)]
+        shared = [*zip(some, shares, strict=True)]
+        ways = tuple(
+            tuple(stated(self._held(a, on), AssetRef(a), WallRef(walls[i].index)) for a, i in shared)
+            for walls in chosen
+        )
+        lines = [[a for a, i in shared if i == k] for k in range(few)]
         rows = [in_rows(line, 1) for line in lines if len(line) >= ways_of.CROWD and alike(self.scene, line)]
-        return some, [Demand(tuple(map(tuple, at))), *rows]
+        return some, [Demand(ways), *rows]
 
     def _ways_at(self, a: str, place: Place, *, on: bool, share: bool, under: bool = False) -> Iterator[Way]:
         """Yield the ways in which one thing can be at a place of the room; `under` a window it stands at its wall."""

@@ -377,10 +377,11 @@ class References(Counting):
     def _other_side(self, chunk: Chunk, objects: list[Item]) -> tuple[Chunk, list[Item]]:
         """Return a relation and what it leads to, where "on the other side" is the other side of what was spoken of."""
         place = place_in(objects[:1])
-        tables = all(m.thing.head in small.TOPS and m.several for m in mentions(objects)) and mentions(objects)
-        if chunk.value == "opposite" and "other" in chunk.adjectives and tables and all(m.sat_on for m in self.about):
-            return replace(chunk, value="around"), objects  # "a stool on the other side of each table"
         if chunk.value == "opposite" and "other" in chunk.adjectives:  # "on the other side of the bed"
+            to = mentions(objects)
+            tables = bool(to) and all(m.thing.head in small.TOPS and m.several for m in to)
+            if tables and all(m.sat_on for m in self.about):
+                return replace(chunk, value="around"), objects  # "a stool on the other side of each table"
             said = [k for k in self.said.links if named(objects) & named(k.objects)]
             sides = [k for k in said if k.relation in small.OTHER_SIDE][-1:]
             there = [m for k in sides if small.OTHER_SIDE[k.relation] == "otherside" for m in k.subjects]

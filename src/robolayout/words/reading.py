@@ -138,12 +138,9 @@ class Reading:
     @property
     def unknown(self) -> list[str]:
         """Words before nouns of which nothing is known ("a frilly bed"), in order."""
-        said = (word for thing in self.parsed.things for word in thing.adjectives)
-        known = grammar().adjectives
-        told = dict.fromkeys(
-            word for word in said if word.removesuffix("s") not in small.PEOPLE
-        )  # not "the doctor's chair"
-        return [word for word in told if word not in known and count_of(word) is None]
+        said = dict.fromkeys(word for thing in self.parsed.things for word in thing.adjectives)
+        new = [word for word in said if word not in grammar().adjectives and count_of(word) is None]
+        return [word for word in new if word.removesuffix("s") not in small.PEOPLE]  # not "the doctor's chair"
 
     @property
     def style(self) -> str:
