@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -11,7 +12,7 @@ import trimesh
 
 from robolayout.assets import CATALOGUE, Category, Prism, parts, prisms_of, resting_place, surfaces_of
 from robolayout.assets.mass import centre_of_mass, part_masses
-from robolayout.assets.surfaces import inner_surfaces, named_surfaces
+from robolayout.assets.surfaces import bearing, emptied, inner_surfaces, named_surfaces, open_shelves, slots
 from robolayout.scene import Asset, Layout, Opening, Pose, Room, Scene
 from robolayout.verify import verify
 
@@ -150,3 +151,25 @@ def test_shades_are_light_and_cupboards_hollow() -> None:
     assert centre_of_mass(lamp)[2] < 0.1
     weights, _ = part_masses(parts(cupboard))
     assert 40 < weights.sum() < 250
+
+
+def test_a_round_top_is_a_disc() -> None:
+    """Its largest rectangle was a strip: 1.07 x 0.57 m of a table 1.2 m across."""
+    top = resting_place(thing("round table", (1.2, 1.2, 0.75)), thing("cup"))
+    x0, y0, x1, y1 = top.rectangle
+    assert top.radius == pytest.approx(0.6, abs=0.01)
+    assert (x1 - x0, y1 - y0) == pytest.approx((0.82, 0.82), abs=0.01)
+    oval = resting_place(thing("round table", (1.2, 2.0, 0.75)), thing("cup"))
+    assert oval.is_oval
+    assert oval.radius == 0.0
+    assert not resting_place(thing("dining table"), thing("cup")).is_oval
+
+
+def test_shelves_are_as_long_as_what_stands_on_them() -> None:
+    """Ten pots on a shelf for nine all stood on its top."""
+    pot = (0.3, 0.28, 0.16)
+    unit = emptied(thing("shelving unit"), [pot], shelves=True)
+    longer = replace(unit, size=bearing(unit, [pot] * 14, shelves=True))
+    held = [sum(slots(shelf, pot) for shelf in open_shelves(one)) for one in (unit, longer)]
+    assert held[0] < 14 <= held[1]
+    assert bearing(unit, [pot] * 3, shelves=True) == unit.size

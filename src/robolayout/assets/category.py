@@ -64,7 +64,7 @@ class Category:
     @property
     def built_in(self) -> bool:
         """Whether it is as one with a counter that it is "on", as a stove is."""
-        return self.group in BUILT_INTO and self.size[2] > BUILT_IN_FROM
+        return self.group in BUILT_INTO and self.size[2] > BUILT_IN_FROM and not self.movable
 
 
 @cache

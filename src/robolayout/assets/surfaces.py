@@ -10,6 +10,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from fractions import Fraction
 from functools import cache, cached_property, lru_cache
 from itertools import count, pairwise, product
 from typing import Any
@@ -17,7 +18,7 @@ from typing import Any
 import numpy as np
 import shapely
 from numpy.typing import NDArray
-from shapely import Polygon
+from shapely import Point, Polygon
 
 from robolayout._errors import AssetError
 from robolayout.assets.category import read_data
@@ -41,6 +42,10 @@ class SurfaceConfig:
     least_free: tuple[float, float] = (0.1, 0.04)  # free height on a shelf, in a drawer, below which it does not
     ledge: float = 0.03  # share of the largest surface of a thing below which another one holds nothing
     simple: float = 0.004  # metres by which a surface's outline may be straightened
+    oval: float = 0.012  # share of its area by which an oval may differ from an ellipse: its sides are straight
+    inscribed: float = (
+        0.68  # share of an oval's length and width that a rectangle in it has: sqrt(1/2), less its straight edges
+    )
     corners: int = 10  # coordinates of corners between which the largest rectangle of a region is looked for
     evenly: int = 8  # even steps between which it is looked for in a region with more coordinates than a slanted one
     square: int = 2  # coordinates along an axis of the corners of an upright rectangle
@@ -49,6 +54,7 @@ class SurfaceConfig:
     rim: float = 0.8  # share of its height below which an open surface lies in a thing
     ease: float = 0.005  # metres of height that a thing needs more than its own to be put into a shelf
     apart: float = 0.02  # metres between things that stand side by side on a shelf
+    longer: float = 0.05  # steps in metres by which shelves are made longer for what is to stand on them
     deepens: float = 0.35  # metres by which shelves are made deeper at the most for what is to stand on them
     full: float = 1.5  # share of a top that things take for which it is made larger: some reach over its edge
     times: float = 3.0  # times its width that such a top has at the most
@@ -92,7 +98,29 @@ class Surface:
     @cached_property
     def rectangle(self) -> tuple[float, float, float, float]:
         """The largest upright rectangle in it: least x and y, greatest x and y in metres."""
-        return _largest_rectangle(self.region)
+        return _inscribed(self.region) if self.is_oval else _largest_rectangle(self.region)
+
+    @cached_property
+    def is_oval(self) -> bool:
+        """Whether it is a disc or an ellipse, along the axes of its thing."""
+        x0, y0, x1, y1 = self.region.bounds
+        disc = Point(0.0, 0.0).buffer(1.0)
+        oval = shapely.transform(disc, lambda at: at * [(x1 - x0) / 2, (y1 - y0) / 2] + [(x0 + x1) / 2, (y0 + y1) / 2])
+        near = oval.symmetric_difference(self.region).area < SURFACES.oval * oval.area
+        return near and self.region.covers(shapely.box(*_inscribed(self.region)))
+
+    @property
+    def box(self) -> tuple[float, float, float, float]:
+        """Where things may stand: the largest rectangle, the whole of an oval; least x and y, greatest x and y in metres."""
+        return self.region.bounds if self.is_oval else self.rectangle
+
+    @property
+    def radius(self) -> float:
+        """The radius in metres of a disc about the middle of its thing; 0 of what is none."""
+        x0, y0, x1, y1 = self.region.bounds
+        return (
+            (x1 - x0) / 2 if self.is_oval and max(abs(x0 + x1), abs(y0 + y1), abs(x1 - y1)) < SURFACES.simple else 0.0
+        )
 
     @property
     def is_seat(self) -> bool:
@@ -182,32 +210,46 @@ def open_shelves(asset: Asset) -> tuple[Surface, ...]:
 
 
 def bearing(asset: Asset, sizes: Sequence[Size], *, shelves: bool) -> Size:
-    """Return the size of a thing with `shelves` as deep, or a top as wide, as it takes for things of some sizes to stand there.
+    """Return the size of a thing with `shelves` as deep and long, or a top as wide, as it takes for things of some sizes to stand there.
 
     Seats, what is about as deep as wide and what would have to be far wider stay as they are.
     """
     (depth, width, height), tops = asset.size, outer_surfaces(asset)
-    for shelf in sorted(open_shelves(asset) * shelves, key=lambda surface: -surface.region.area)[:1]:
-        x0, y0, x1, y1 = shelf.rectangle
-        lacks = max(deep for deep, *_ in sizes) + SURFACES.apart - (x1 - x0)
-        if max(wide for _, wide, _ in sizes) <= y1 - y0:
-            return (round(depth + lacks, 3), width, height) if 0.0 < lacks <= SURFACES.deepens else asset.size
+    found = open_shelves(asset) if shelves else ()
+    free = max((shelf.free for shelf in found), default=0.0) - SURFACES.ease
+    if all(size[2] <= free for size in sizes) and (more := _longer(found, width, sizes)) is not None:
+        return round(depth + more[0], 3), round(width + more[1], 3), height
     if not tops:  # a board with hooks
         return asset.size
     x0, y0, x1, y1 = max(tops, key=lambda surface: surface.region.area).rectangle
     sides = [sorted(side + SURFACES.apart for side in size[:2]) for size in sizes]
     taken = sum(map(math.prod, sides)) / ((x1 - x0) * (y1 - y0))
     times = sum(long / max(int((x1 - x0) / short), 1) for short, long in sides) / (y1 - y0)
-    crowded = taken > SURFACES.full and width > SURFACES.even * depth and not tops[0].is_seat
+    in_line = len(sizes) > 1 and all(
+        short * 2 > x1 - x0 for short, _ in sides
+    )  # on a board nothing stands behind another
+    crowded = (taken > SURFACES.full or in_line) and width > SURFACES.even * depth and not tops[0].is_seat
     return (depth, round(width * times, 3), height) if crowded and 1.0 < times <= SURFACES.times else asset.size
 
 
-def slots(surface: Surface, size: Size) -> int:
-    """Return how many things of a size stand straight on a surface, side by side and behind each other."""
+def _longer(shelves: Sequence[Surface], width: float, sizes: Sequence[Size]) -> tuple[float, float] | None:
+    """Return by how many metres the shelves of a thing so wide must be deeper and longer to hold some sizes; None for too many."""
+    x0, _, x1, _ = max(shelves, key=lambda surface: surface.region.area).rectangle
+    lacks = max(max(deep for deep, *_ in sizes) + SURFACES.apart - (x1 - x0), 0.0)
+    for step in range(int((SURFACES.times - 1.0) * width / SURFACES.longer) + 1):
+        more = (lacks, step * SURFACES.longer)
+        many = [sum(slots(shelf, size, more) for shelf in shelves) for size in sizes]
+        if all(many) and sum(Fraction(1, one) for one in many) <= 1:
+            return more if lacks <= SURFACES.deepens else None
+    return None
+
+
+def slots(surface: Surface, size: Size, more: tuple[float, float] = (0.0, 0.0)) -> int:
+    """Return how many things of a size stand straight on a surface, side by side and behind each other; on one that is so much larger."""
     x0, y0, x1, y1 = surface.rectangle
-    sides = zip((x1 - x0, y1 - y0), size, strict=False)
-    deep, wide = (int((side + SURFACES.apart) / (own + SURFACES.apart)) for side, own in sides)
-    return deep * wide * surface.holds(size)
+    sides = zip((x1 - x0 + more[0], y1 - y0 + more[1]), size, strict=False)
+    deep, wide = (int((side + SURFACES.apart) / (own + SURFACES.apart) + SURFACES.simple) for side, own in sides)
+    return deep * wide * (size[2] + SURFACES.ease <= surface.free)
 
 
 def named_surfaces(asset: Asset, name: str) -> tuple[Surface, ...]:
@@ -341,6 +383,13 @@ def _largest_rectangle(region: Polygon) -> tuple[float, float, float, float]:
     inside = shapely.covers(grown, cells).reshape(len(xs) - 1, len(ys) - 1)
     i, j, k, m = largest_block(inside, np.outer(np.diff(xs), np.diff(ys)))
     return xs[i], ys[k], xs[j], ys[m]
+
+
+def _inscribed(oval: Polygon) -> tuple[float, float, float, float]:
+    """Return the largest upright rectangle in an oval."""
+    x0, y0, x1, y1 = oval.bounds
+    dx, dy = ((1.0 - SURFACES.inscribed) / 2 * side for side in (x1 - x0, y1 - y0))
+    return x0 + dx, y0 + dy, x1 - dx, y1 - dy
 
 
 def _thinned(values: NDArray[np.float64]) -> list[float]:

@@ -18,6 +18,9 @@ from robolayout.scene import Asset, Layout, Scene, vertical_span
 AT_HAND = 1.0
 """Metres above the floor at which things are taken from a shelf most easily."""
 
+LARGER = 0.3
+"""Share of a disc's radius within which the centre of what is larger than the disc stays."""
+
 
 @dataclass(frozen=True)
 class OnTopOf(Relation):
@@ -61,9 +64,15 @@ class OnTopOf(Relation):
         return self.places(scene)[0]
 
     def terms(self, scene: Scene, near: Layout) -> tuple[Term, ...]:
-        """Return one row: a's footprint inside the largest rectangle of its place (its centre, where a is the larger one)."""
-        x0, y0, x1, y1 = self.place(scene, near).rectangle
-        size = scene.by_name[self.a.name].size
+        """Return one row: a's footprint inside the largest rectangle of its place, its disc or an oval's box.
+
+        Where a is the larger one, it is a's centre.
+        """
+        place, size = self.place(scene, near), scene.by_name[self.a.name].size
+        if place.radius:
+            within = max(place.radius - max(size[:2]) / 2, place.radius * LARGER)
+            return (FrameTerm(self.a, self.b, distance=(0.0, within)),)
+        x0, y0, x1, y1 = place.box
         inside = float(all(np.less_equal(np.sort(size[:2]), np.sort([x1 - x0, y1 - y0]))))
         along, across = Interval(x0, x1, inside, inside), Interval(y0, y1, inside, inside)
         return (FrameTerm(self.a, self.b, along=along, across=across),)

@@ -130,6 +130,7 @@ def join_as_asked(cast: Mapping[str, Cast], demands: Sequence[Demand], passage: 
         metres = [one for one in said(about) if isinstance(one, DistanceConstraint)]
         near = any(one.max_distance is not None and not (leads and isinstance(one.b, PointRef)) for one in metres)
         stays = stays or (len(metres) == len(said(about)) and not near)
+        stays = stays or {name, anchor} <= central  # "a table and four chairs in the middle"
         if not stays or any(relation.name == "mounted_on" for relation in said(about)):
             found[name] = found[name].alone
     wanted |= dict(_only_benches(cast, wanted))

@@ -2,12 +2,17 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 
 from robolayout.planners._knowledge import DATA
-from robolayout.words import Link, NamedThing
+from robolayout.words import TABLEWARE, Link, NamedThing
 
 AT_ONE = 10  # seats up to which "tables for six" is said of each of them
+PLATE, SETTING = 0.32, 0.42  # metres from the edge of a table to the inner end of a plate, and across plate and cutlery
+OVAL_ENDS = (
+    0.45  # metres that an oval table is longer than a round one for as many, so that plates at its ends have room
+)
 SEATS, AT_A_LINE = ((*DATA["nouns"][name],) for name in ("seats", "at_a_line"))
 
 
@@ -30,3 +35,9 @@ def sit_in_a_line(thing: NamedThing, relation: str, kind: str, each: float) -> b
         return relation in AT_A_LINE and kind.endswith(SEATS)
     at_desk = relation == "with" and thing.noun.said == "desk" and kind.endswith("chair")
     return each > 1 and (at_desk or (relation == "front" and thing.head == "bench" and kind.endswith("table")))
+
+
+def laid_across(links: Sequence[Link], seats: int) -> float:
+    """Return the metres across a round table that links lay for so many, so that no plate meets the next; 0 if they lay nothing."""
+    laid = any(one.thing.head in TABLEWARE for k in links if k.relation in ("with", "on") for one in k.subjects)
+    return round(2 * PLATE + seats * SETTING / math.pi, 2) if laid else 0.0

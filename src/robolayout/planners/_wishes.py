@@ -16,7 +16,7 @@ from robolayout.assets.palette import LOOKS
 from robolayout.constraints.in_shape import circle_across
 from robolayout.planners._knowledge import DATA, Knowledge, Role
 from robolayout.planners._room_type import room_meant
-from robolayout.planners._seats import AT_ONE, SEATS, promised, seats_of, sit_in_a_line
+from robolayout.planners._seats import AT_ONE, OVAL_ENDS, SEATS, laid_across, promised, seats_of, sit_in_a_line
 from robolayout.scene import FLAT_HEIGHT
 from robolayout.words import (
     CROWD,
@@ -265,6 +265,8 @@ class RoomWishes:
             small = kind.size[0] * kind.size[1] < CARRIED and not built
             if link.relation == "on" and small and any(bearer.size[2] >= FLAT_HEIGHT for bearer in to):
                 kind = replace(kind, on_object=True, on_wall=False, on_ceiling=False, on_floor=False)
+            if link.relation == "on" and to and all(bearer.size[2] < FLAT_HEIGHT for bearer in to) and kind.on_object:
+                kind = replace(kind, on_floor=True, on_object=False)  # toys on a rug
             if "ceiling" in places and not kind.on_ceiling:
                 kind = replace(kind, on_ceiling=True, on_floor=False, on_wall=False, on_object=False)
             if link.relation in ("on", "atwalls") and "wall" in places and kind.on_wall and kind.on_object:
@@ -310,7 +312,7 @@ class RoomWishes:
         sided = {link.sided for link in links} - {""}
         seats += ENDS if sided and "end" not in sided and thing.sides == 2 else 0
         told = {*thing.adjectives} & {*grammar().sizes}  # a long table for two stays long
-        return size if told and seats <= 2 else self._seating(name, size, seats)
+        return size if told and seats <= 2 else self._seating(name, size, seats, laid_across(links, seats))
 
     def ring(self, seat: NamedThing, rug: NamedThing) -> float:
         """Return the metres across a ring of seats on each rug; 0 for fewer than three, and for what stands in none."""
@@ -338,17 +340,21 @@ class RoomWishes:
         there = sum(one.count for one in chairs if one in seated or not one.rows)
         return (self.reading.people if self._shared(self.kind(thing)) else 0) or there
 
-    def _seating(self, name: str, size: Size, seats: int) -> Size:
-        """Return the size of a table with a place for so many: a larger one that is as deep as wide, else a longer one."""
+    def _seating(self, name: str, size: Size, seats: int, across: float = 0.0) -> Size:
+        """Return the size of a table with a place for so many: a larger one that is as deep as wide, else a longer one.
+
+        A round one is so many metres `across` at least.
+        """
         depth, width, height = size
         if 0 < seats <= 2 and name == "dining table" and depth != width:
             return depth, min(width, FOR_TWO), height
         chairs = [self.lexicon.kinds[one].size[1] for one in self.room.person if head(one) == "chair"]
         elbows = max([ELBOWS, *(chair + APART_AT_TABLE for chair in chairs)])
         if seats and depth == width and "oval" not in name:
-            depth = width = max(depth, round(seats * elbows / math.pi, 2))
+            depth = width = max(depth, round(seats * elbows / math.pi, 2), across)
             if name == "round table":
                 return depth, width, height
+        width = max(width, across + OVAL_ENDS) if across and "oval" in name else width
         while 2 * int(width / elbows) + 2 * min(int(depth / elbows), 1 if depth != width else seats) < seats:
             width = round(width + elbows / 2, 2)
         return depth, width, height

@@ -193,7 +193,7 @@ def _frames(problem: Problem, number: int, world: Floats, size: int) -> tuple[Fl
 def on_top(problem: Problem, slot: int, carrier: Floats) -> tuple[Floats, Floats]:
     """Return the middle (x, y, cos, sin) and the half sizes of what a slot may take of the surface on which it stands."""
     place, whole = problem.resting[slot], problem.half[problem.parent[slot]]
-    x0, y0, x1, y1 = place.rectangle if place else (*-whole, *whole)
+    x0, y0, x1, y1 = place.box if place else (*-whole, *whole)
     half = np.array([x1 - x0, y1 - y0]) / 2
     middle = compose(carrier, np.array([(x0 + x1) / 2, (y0 + y1) / 2, 1.0, 0.0]))
     return middle, np.maximum(half, problem.half[slot].min())

@@ -7,6 +7,7 @@ from robolayout.words._function_words import KIN as KIN
 from robolayout.words._function_words import NEARBY as NEARBY
 from robolayout.words._function_words import OF_ROOMS as OF_ROOMS
 from robolayout.words._function_words import SHAPES as SHAPES
+from robolayout.words._function_words import TABLEWARE as TABLEWARE
 from robolayout.words._function_words import WATCHING as WATCHING
 from robolayout.words._lexicon import Lexicon as Lexicon
 from robolayout.words._lexicon import dressing as dressing

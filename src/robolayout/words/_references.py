@@ -240,14 +240,14 @@ class References(Counting):
 
     def _held_by(self, chunk: Chunk, subjects: list[Mention], objects: list[Item]) -> tuple[list[Mention], list[Item]]:
         """Return what a relation is about and leads to, where that is not what a thing has but the thing itself."""
-        held = self.having and self.holder and not self.listed
+        laid = bool(self.holder) and not self.holder[0].topped and all(m.topped for m in self.group)
+        held = self.having and self.holder and (laid or not self.listed)  # "a desk with a laptop, a lamp and a mug"
         if chunk.value == "flank" and not objects and held and self.holder[0].thing.count == 2 and self.recent[2:]:
             own = {self.holder[0].thing, subjects[0].thing}  # "two nightstands with lamps on either side"
             return self.holder, [*[m for m in self.recent if m.thing not in own][:1]]
         if chunk.value == "opposite" and held and not objects and (across := self._across(subjects)):
             return self.holder, across
-        kinds = [kind for one in subjects for kind in one.thing.noun.categories]
-        hanging = any(kind.on_wall or kind.on_ceiling for kind in kinds)
+        hanging = any(kind.on_wall or kind.on_ceiling for one in subjects for kind in one.thing.noun.categories)
         hanging = hanging or any(c.value in small.HANGING for c in self.chunks if c.end == chunk.start)
         laid = chunk.value == "behind" and all(m.topped for m in subjects)  # "a shelf with bottles behind it"
         if (chunk.value == "above" or laid) and held and named(self.holder) & named(objects) and not hanging:
@@ -256,9 +256,9 @@ class References(Counting):
             objects = list[Item](m for m in floor if not (laid and m.sat_on))[-1:]  # behind the counter, not its stools
             return (self.holder if objects else []), objects
         middle = chunk.value == "middle" and not objects
-        if middle and held and self.holder[0].topped:
+        if middle and held and self.holder[0].topped:  # "plates on the table, with a candle in the middle"
             on = [list(k.objects) for k in self.said.links if k.relation == "on" and self.holder[0] in k.subjects]
-            return subjects, on[-1] if on else objects  # "plates on the table, with a candle in the middle"
+            return subjects, on[-1] if on else objects
         led = [before.kind for before, c in pairwise(self.chunks[: self.at]) if c.kind == "with"][-1:]
         one = led == ["comma"] or not any(m.several for m in subjects)  # a table with four magazines is there itself
         on = self.holder if held and one else self.every[0] if self.every else []
@@ -298,6 +298,18 @@ class References(Counting):
         swapped = swapped and not (central and place_in(objects[:1], "wall", "corner", "window", "door"))
         built = [m for m in self.group if m.thing.category.built_in and place_in(objects[:1], "wall")]
         return ([*self.holder, *built] if swapped else subjects), objects
+
+    def _holders(self, subjects: list[Mention], *, every: bool) -> list[Mention]:
+        """Return what of some things holds others: of "a bed and two stands, each" the last, and rather a top than a seat beside it."""
+        last = self.said.last
+        shelves = [m for m in last.subjects if last.relation == "above" and m.thing.noun.said.endswith("shelf")]
+        if shelves and named(subjects) & named((*last.subjects, *last.objects)):
+            subjects = shelves  # "a shelf above the toilet holding towels"
+        elif len(subjects) == 1 and subjects[0] in last.objects and subjects[-1].sat_on:
+            bears = any(mention.thing.head in (*small.TOPS, "stand", "shelf") for mention in last.subjects[:1])
+            subjects = list(last.subjects) if bears else subjects
+        own = subjects[-1:] if every and subjects and subjects[-1].several else subjects
+        return [Mention(mention.thing, mention.pick, "each") for mention in own] if every else subjects
 
     def _hangs(self, holder: NamedThing) -> bool:
         """Return whether what has other things hangs itself: a cabinet on the wall, "a shelf with towels above the tub"."""

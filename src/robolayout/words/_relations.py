@@ -85,7 +85,7 @@ class Relating(Spaces):
     def _each_has(self, holder: list[Mention], times: int) -> None:
         """Read what each of some things or people has, up to the end of the clause."""
         self.every = (holder, times)
-        first, had = len(self.said.things), 0
+        first, had, closed = len(self.said.things), 0, False
         while (chunk := self._ahead()).kind in ("thing", "and", "comma", "filler", "style", "with"):
             # "each has a desk with a lamp, and a chair"
             inner = self.group[-1:] if chunk.kind == "with" and had else []
@@ -93,9 +93,9 @@ class Relating(Spaces):
                 break
             self.at += chunk.kind == "with"
             chunk = self._ahead()
-            if chunk.kind == "comma" and first < len(self.said.things) and not self._list_goes_on(had):
+            if chunk.kind == "comma" and first < len(self.said.things) and (closed or not self._list_goes_on(had)):
                 break
-            self.at, had = self.at + 1, had + (chunk.kind == "thing")
+            self.at, had, closed = self.at + 1, had + (chunk.kind == "thing"), closed or chunk.kind == "and"
             own = holder and chunk.noun is not None and chunk.noun.kind == holder[0].thing.noun.kind
             self._understood(*[chunk] * bool(own))  # "six workstations, each consisting of a desk and a chair"
             if chunk.kind == "thing" and not own:
@@ -108,8 +108,14 @@ class Relating(Spaces):
                     self.said.links.append(Link("with", (mention,), tuple(inner or holder), chunk.start, chunk.end))
 
     def _list_goes_on(self, had: int) -> bool:
-        """Return whether from a comma here a plain list goes on to the end of the sentence: ", a keyboard and a chair." """
+        """Return whether a plain list goes on from a comma, to the end (", a keyboard and a chair.") or to what goes with others."""
         rest = list(takewhile(lambda kind: kind != "stop", (chunk.kind for chunk in self.chunks[self.at :])))
+        more = "*" if had > 1 else "+"  # ", a keyboard and a chair, a plant by the door"; ", and a chair, ..."
+        inner = re.match(f"(comma thing ){more}(comma )?and thing (?=comma|and)", " ".join(rest))
+        listed = self.chunks[self.at : self.at + len(inner[0].split())] if inner else []
+        kinds = [kind for chunk in listed if chunk.noun is not None for kind in chunk.noun.categories[:1]]
+        if kinds and all(kind.on_object or kind.name.split()[-1] in small.SEATS for kind in kinds):
+            return True
         while rest[-1:] in (["rel"], ["pron"]):  # "..., a keyboard and a chair in front of it"
             rest.pop()
         return (
@@ -280,7 +286,8 @@ class Relating(Spaces):
         here = self._here
         halved = any(link.relation.endswith(" half") for link in here)
         before = here[-1].objects if here and here[-1].relation == "on" else ()
-        top = [m for m in (self.holder if self.having else mentions(before)) if m.thing.head in small.TOPS]
+        last = self.holder if self.having else self.every[0] if self.every else mentions(before)
+        top = [m for m in last if m.thing.head in (*small.TOPS, "workbench")]
         sided = chunk.value in ("left", "right") or (chunk.value == "middle" and halved)
         return [*top] if sided and subjects and all(m.thing.category.on_object for m in subjects) else []
 
@@ -387,15 +394,6 @@ class Relating(Spaces):
         self._fact(Chunk("body", following.start, following.end, small.AIDS[following.noun.kind]))
         return True
 
-    def _holders(self, subjects: list[Mention], *, every: bool) -> list[Mention]:
-        """Return what of some things holds others: of "a bed and two stands, each" the last, and rather a top than a seat beside it."""
-        last = self.said.last
-        if len(subjects) == 1 and subjects[0] in last.objects:
-            bears = any(mention.thing.head in (*small.TOPS, "stand", "shelf") for mention in last.subjects[:1])
-            subjects = list(last.subjects) if bears and subjects[-1].sat_on else subjects
-        own = subjects[-1:] if every and subjects and subjects[-1].thing.count > 1 else subjects
-        return [Mention(mention.thing, mention.pick, "each") for mention in own] if every else subjects
-
     def _of_people(self) -> bool:
         """Return whether this clause is about somebody: "guests are received near the door" moves no furniture."""
         before = self.chunks[: self.at - 1]
@@ -424,7 +422,9 @@ class Relating(Spaces):
     def _reversed(self, chunk: Chunk, subjects: list[Mention], objects: Sequence[Item]) -> None:
         """Link what is said from the other side: "flanked by two lamps"."""
         moved = mentions(objects)
-        while chunk.value in ("holds", "flanked") and self._ahead().kind == "and" and (also := self._ahead(1).noun):
+        listed = chunk.value == "holds" and self._list_goes_on(1)  # "holding a bowl, two candles and a clock"
+        joins = ("and", "comma") if listed else ("and",)
+        while chunk.value in ("holds", "flanked") and self._ahead().kind in joins and (also := self._ahead(1).noun):
             if not also.category.on_object and self._ahead(2).kind not in ("", "stop"):
                 break
             self.at += 2

@@ -10,7 +10,7 @@ from itertools import pairwise
 from robolayout.constraints import AssetRef, PointRef, WallRef
 from robolayout.constraints.in_rows import InRows
 from robolayout.constraints.in_shape import InShape
-from robolayout.scene import Room, Scene
+from robolayout.scene import Asset, Room, Scene
 from robolayout.words import _function_words as small
 from robolayout.words._said import Link
 from robolayout.words._ways import (
@@ -62,6 +62,11 @@ def lines(scene: Scene, link: Link, names: Sequence[str]) -> int | None:
     return across if long or link.relation == "columns" else rows
 
 
+def _apart(thing: Asset) -> bool:
+    """Return whether a thing takes no place beside others: a rug lies before them as well, a soap dispenser on them."""
+    return thing.is_flat or (thing.on_object and not thing.on_floor)
+
+
 class ToldRows:
     """What is said of straight rows and shapes: how wide they are, how they are turned to each other, and what stands between them."""
 
@@ -72,7 +77,7 @@ class ToldRows:
             name
             for link, about, to in links
             if link.relation in ("amid", "flank") or (link.relation in small.AT_SIDES and len(about) > 1)
-            if not all(scene.by_name[one].is_flat for one in about)  # a rug lies before them as well
+            if not all(_apart(scene.by_name[one]) for one in about)
             if link.relation == "amid" or not all(scene.by_name[one].category.endswith(seats) for one in about)
             for name in to
         }

@@ -277,7 +277,8 @@ class Link:
         bearers = named(self.objects)
         shelf = all(bearer.noun.said.split()[-1] in small.SHELVES for bearer in bearers)
         within = self.relation == "in" and all(bearer.head not in small.SEATS for bearer in bearers)
-        return within or (self.relation in ("on", "with") and shelf and not self.topmost)
+        within = within or (self.relation == "with" and {bearer.noun.kind for bearer in bearers} == {"bookshelf"})
+        return (within or (self.relation in ("on", "with") and shelf)) and not self.topmost
 
     def had(self, own: Set[NamedThing], to: Set[NamedThing] | None) -> bool:
         """Return whether it only says that one of some things has a thing (any, for None)."""

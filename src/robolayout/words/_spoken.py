@@ -314,7 +314,8 @@ class Spoken:
         to = self._ahead()
         if not last or len(self.group) < 2:
             return []
-        if not (last[0].laid if relation == "on" else relation == "front" and to.det == "each" and last[0].topped):
+        at_each = relation in ("front", "by") and to.det == "each" and last[0].topped
+        if not (last[0].thing.category.on_object if relation == "on" else at_each):
             return []
         held = "with" if to.det == "each" or to.kind == "pron" else ""
         linked = {m for link in self.said.links if link.relation != held for m in link.subjects}
@@ -380,6 +381,11 @@ class Spoken:
         earlier = [
             m for m, said in zip(earlier, again, strict=True) if not said and (m.thing not in on or not m.topped)
         ]
+        borne = {thing for k in self._here if k.relation == "on" for thing in named(k.subjects)}
+        below = [
+            m for m in earlier if m.thing not in borne
+        ]  # "a washer, a dryer, a basket on it and a shelf above them"
+        earlier = below if relation == "above" and len(below) > 1 else earlier
         several = [m for m in earlier if m.thing.count > 1]
         if several and earlier[-1:] == several[-1:]:
             lines = relation == "amid" and [m.count > 2 for m in several[-2:]] == [True, True]

@@ -216,7 +216,7 @@ def read_text(text: str, lexicon: Lexicon) -> Reading:
     counts += [small.BORN[c.value] for c in people if c.value in small.BORN] + [parsed.people]
     young = "child_6" in bodies or len(siblings) > 1 or any(c.value in small.YOUNG for c in people)
     settle_kinds(parsed)
-    _two_at_each(parsed.links)
+    _at_tables(parsed.links)
     _long_benches(parsed.links)
     parsed.links[:] = _had_nearby(parsed.links)
     shared = _shared_out(parsed.things, _shaped(parsed.links, bounded(counts[0], "people")))
@@ -251,13 +251,17 @@ def _for_children(facts: list[Chunk]) -> None:
         facts[:] = [replace(c, value=room) if alone and (c.kind, c.value) == ("room", "bedroom") else c for c in facts]
 
 
-def _two_at_each(links: Sequence[Link]) -> None:
-    """Settle how many stools several tables have where no number is said: "three high tables with stools"."""
-    for link in links:
-        several = [table.count for table in mentions(link.objects) if table.several and link.relation == "with"]
-        for thing in (one.thing for one in link.subjects if several and one.thing.head == "stool"):
-            if thing.uncounted:
-                thing.number = 2 * several[0]
+def _at_tables(links: Sequence[Link]) -> None:
+    """Settle how much several tables have of what no number is said: "three high tables with stools", "set for six with plates"."""
+    for link in (link for link in links if link.relation in ("with", "on")):
+        for table, thing in ((m.thing, one.thing) for m in mentions(link.objects) for one in link.subjects):
+            each = (
+                2 if thing.head == "stool" and table.count > 1 else table.people if thing.head in small.TABLEWARE else 0
+            )
+            each = each or int(
+                link.relation == "on" and table.head in small.TOPS
+            )  # "crates on four tables": one on each
+            thing.number = max(each * table.count, 2) if each and thing.uncounted else thing.number
 
 
 def _long_benches(links: Sequence[Link]) -> None:

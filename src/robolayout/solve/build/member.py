@@ -7,6 +7,9 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
+from shapely import Polygon
+
+from robolayout.scene import Pose
 
 Poses = NDArray[np.float64]
 """(n, 3) metres and radians."""
@@ -68,6 +71,11 @@ def box_of(member: Member, size: Size) -> Rect:
     c, s = abs(math.cos(member.yaw)), abs(math.sin(member.yaw))
     hx, hy = (c * size[0] + s * size[1]) / 2, (s * size[0] + c * size[1]) / 2
     return (member.x - hx, member.y - hy, member.x + hx, member.y + hy)
+
+
+def outline_of(member: Member, size: Size) -> Polygon:
+    """Return a member's footprint in its cluster's frame."""
+    return Polygon(Pose(member.x, member.y, 0.0, member.yaw).corners(size))
 
 
 def overlaps(a: Rect, b: Rect, margin: float = 0.0) -> bool:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 
-from robolayout.solve.build.member import MARGIN, Member, Rect, Size, box_of, overlaps
+from robolayout.solve.build.member import MARGIN, Member, Rect, Size, box_of, outline_of, overlaps
 
 STEP = 0.04
 """Metres between the places tried on a top."""
@@ -15,6 +15,9 @@ CLOSEST = 0.005
 
 AMID = 0.1
 """Metres between things in the middle of a top, if they are so narrow."""
+
+ROUNDED = 1.08
+"""How far out the corner of a thing on an oval may be, of the way to its edge: most things there are round themselves."""
 
 HAND = 0.32
 """Metres from the middle of a desk to where a right hand lies beside the keyboard, for who sits before its front."""
@@ -29,12 +32,20 @@ class Top:
         placed: What stands at or on the asset already, in its frame.
         reach: How far from the edge a thing may stand to be reached by the agent, metres.
         seats: Who sits at it.
+        oval: Whether it is the ellipse in its box.
     """
 
     def __init__(
-        self, size: Size, sizes: Mapping[str, Size], placed: Sequence[Member], reach: float, seats: Sequence[Member]
+        self,
+        size: Size,
+        sizes: Mapping[str, Size],
+        placed: Sequence[Member],
+        reach: float,
+        seats: Sequence[Member],
+        *,
+        oval: bool = False,
     ) -> None:
-        self.half = (size[0] / 2, size[1] / 2)
+        self.half, self.oval = (size[0] / 2, size[1] / 2), oval
         self.sizes = sizes
         self.reach = reach
         self.seated, self.faced = len(seats) > 1, bool(seats)
@@ -48,7 +59,7 @@ class Top:
         for i, (name, at, seat) in enumerate(items):
             if seat is not None:
                 member = self._at_seat(name, at, seat)
-                if not any(overlaps(box_of(member, self.sizes[name]), other) for other in self.taken):
+                if not self._meets(member):
                     found.append(self._keep(member))
                     continue
             found.append(self._keep(in_line.get(name) or self._free(name, at, i, len(items))))
@@ -70,6 +81,13 @@ class Top:
             return found
         return {}
 
+    def _meets(self, member: Member) -> bool:
+        """Return whether a thing meets another one there; around an oval they are turned against each other."""
+        if not self.oval:
+            return any(overlaps(box_of(member, self.sizes[member.name]), other) for other in self.taken)
+        mine, *others = (outline_of(one, self.sizes[one.name]) for one in (member, *self.on_top))
+        return any(mine.intersects(other) for other in others)
+
     def _keep(self, member: Member) -> Member:
         self.on_top.append(member)
         self.taken.append(box_of(member, self.sizes[member.name]))
@@ -89,15 +107,25 @@ class Top:
             "glass": (max(ax, 0.2 * plate[0]), -beside - 0.08),
             "beyond": (plate[0] + MARGIN + ax, 0.0),
         }[at]
-        c, s = round(math.cos(seat.yaw)), round(math.sin(seat.yaw))
         inward += MARGIN
         if at == "glass" and self._inner(seat, left) > self.reach >= self._inner(seat, -left):
             left = -left  # a hand comes from the end of the table: nobody stands where the chair is
-        if c:
-            x, y = -c * (self.half[0] - inward), seat.y + c * left
-        else:
-            x, y = seat.x - s * left, -s * (self.half[1] - inward)
-        return Member(name, x, y, seat.yaw, side=seat.name)
+        (x, y), (c, s) = self._edge(seat, left)
+        return Member(name, x + c * inward, y + s * inward, seat.yaw, side=seat.name)
+
+    def _edge(self, seat: Member, left: float) -> tuple[tuple[float, float], tuple[float, float]]:
+        """Return the point of the edge before a place so far to the left of a seat, and the direction in which the seat looks."""
+        c, s = math.cos(seat.yaw), math.sin(seat.yaw)
+        if self.oval:  # (p + t d) on the ellipse: a quadratic in t, whose smaller root is the near edge
+            a, b = self.half
+            px, py, dx, dy = (seat.x - s * left) / a, (seat.y + c * left) / b, c / a, s / b
+            dd, pd = dx * dx + dy * dy, px * dx + py * dy
+            root = max(pd * pd - dd * (px * px + py * py - 1.0), 0.0)
+            t = (-pd - math.sqrt(root)) / dd
+            return (seat.x - s * left + t * c, seat.y + c * left + t * s), (c, s)
+        c, s = round(c), round(s)
+        x, y = (-c * self.half[0], seat.y + c * left) if c else (seat.x - s * left, -s * self.half[1])
+        return (x, y), (c, s)
 
     def _inner(self, seat: Member, left: float) -> float:
         """Return metres from a place so far to the left of a seat to the end of the table."""
@@ -118,6 +146,8 @@ class Top:
         ys = [-ry + k * STEP for k in range(int(2 * ry / STEP) + 1)] + [wy]
         places = sorted((math.hypot(x - wx, y - wy), x, y) for x in xs for y in ys)
         for _, x, y in places:
+            if self.oval and math.hypot((abs(x) + hx) / self.half[0], (abs(y) + hy) / self.half[1]) > ROUNDED:
+                continue
             if not any(overlaps((x - hx, y - hy, x + hx, y + hy), other, MARGIN) for other in self.taken):
                 return Member(name, x, y, math.pi / 2 if turned else 0.0)
         return Member(name, wx, wy, math.pi / 2 if turned else 0.0)
