@@ -38,6 +38,12 @@ from robolayout.words import read_words
         ("a potter's studio with two pottery wheels", {"bed": 0}),
         ("a living room with a side table with a lamp on each side of the sofa", {"side table": 2, "table lamp": 2}),
         ("a bedroom with a bed and nothing on the walls", {"picture": 0, "mirror": 0}),
+        (
+            "a lab with three tables, each with two microscopes, a box of slides and two stools",
+            {"microscope": 6, "storage box": 3, "stool": 6, "slide": 0},
+        ),
+        ("a pantry with a row of jars on the shelf", {"jar": 2}),
+        ("a kids' bedroom with two beds, each with a teddy bear on the pillow", {"teddy bear": 2, "pillow": 0}),
     ],
 )
 def test_small_things_are_as_many_as_they_are_for(text: str, count: dict[str, int]) -> None:
@@ -76,6 +82,11 @@ def test_small_things_are_as_many_as_they_are_for(text: str, count: dict[str, in
             "a dining room with a sideboard holding a bowl, two candles and a clock",
             "on_top_of(bowl-0, sideboard-0); on_top_of(candle-0, sideboard-0)",
             "near(candle",
+        ),
+        (
+            "a living room with two armchairs and a small table with a teapot and two cups between them",
+            "side_table-0 between armchair-0 and armchair-1",
+            "between armchair-1 and teapot",
         ),
         (
             "a recording studio with a mixing desk, two monitors and two speakers on it",

@@ -98,7 +98,9 @@ class Relating(Spaces):
             self.at, had, closed = self.at + 1, had + (chunk.kind == "thing"), closed or chunk.kind == "and"
             own = holder and chunk.noun is not None and chunk.noun.kind == holder[0].thing.noun.kind
             self._understood(*[chunk] * bool(own))  # "six workstations, each consisting of a desk and a chair"
-            if chunk.kind == "thing" and not own:
+            if chunk.kind == "thing" and self._previous(chunk) == "of":
+                self._fact(replace(chunk, kind="function"))  # "a box of slides"
+            elif chunk.kind == "thing" and not own:
                 mention = self._mention(chunk)
                 if mention.thing in self.said.things[first:]:
                     one = holder and holder[0].det != "each" and mention.thing.number is None  # "both have lamps"
@@ -109,12 +111,13 @@ class Relating(Spaces):
 
     def _list_goes_on(self, had: int) -> bool:
         """Return whether a plain list goes on from a comma, to the end (", a keyboard and a chair.") or to what goes with others."""
-        rest = list(takewhile(lambda kind: kind != "stop", (chunk.kind for chunk in self.chunks[self.at :])))
+        kinds = takewhile(lambda kind: kind != "stop", (chunk.kind for chunk in self.chunks[self.at :]))
+        rest = " ".join(kinds).replace(" filler thing", "").split()  # "a box of slides"
         more = "*" if had > 1 else "+"  # ", a keyboard and a chair, a plant by the door"; ", and a chair, ..."
         inner = re.match(f"(comma thing ){more}(comma )?and thing (?=comma|and)", " ".join(rest))
         listed = self.chunks[self.at : self.at + len(inner[0].split())] if inner else []
-        kinds = [kind for chunk in listed if chunk.noun is not None for kind in chunk.noun.categories[:1]]
-        if kinds and all(kind.on_object or kind.name.split()[-1] in small.SEATS for kind in kinds):
+        had_kinds = [kind for chunk in listed if chunk.noun is not None for kind in chunk.noun.categories[:1]]
+        if had_kinds and all(kind.on_object or kind.name.split()[-1] in small.SEATS for kind in had_kinds):
             return True
         while rest[-1:] in (["rel"], ["pron"]):  # "..., a keyboard and a chair in front of it"
             rest.pop()

@@ -376,6 +376,9 @@ class Spoken:
     def _several_meant(self, relation: str, earlier: list[Mention], to: list[Mention]) -> list[Mention]:
         """Return what "them" stands for: several things named at once, or the last two."""
         own = named(self.about)
+        had = {thing for k in self.said.links if named(self.holder) & named(k.objects) for thing in named(k.subjects)}
+        others = [m for m in earlier if m.thing not in had]  # "two armchairs and a table with two cups between them"
+        earlier = others if others and others[-1].several and self.group[-1:] and self.group[-1].topped else earlier
         on = {thing for k in self.said.links if own & named(k.objects) for thing in named(k.subjects)}
         again = (m.pick is None and m.thing in named(earlier[i:]) for i, m in enumerate(earlier, 1))  # "each desk"
         earlier = [
