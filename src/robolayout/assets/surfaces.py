@@ -43,9 +43,7 @@ class SurfaceConfig:
     ledge: float = 0.03  # share of the largest surface of a thing below which another one holds nothing
     simple: float = 0.004  # metres by which a surface's outline may be straightened
     oval: float = 0.012  # share of its area by which an oval may differ from an ellipse: its sides are straight
-    inscribed: float = (
-        0.68  # share of an oval's length and width that a rectangle in it has: sqrt(1/2), less its straight edges
-    )
+    inscribed: float = 0.68  # share of an oval's sides that a rectangle in it has: sqrt(1/2), less its straight edges
     corners: int = 10  # coordinates of corners between which the largest rectangle of a region is looked for
     evenly: int = 8  # even steps between which it is looked for in a region with more coordinates than a slanted one
     square: int = 2  # coordinates along an axis of the corners of an upright rectangle
@@ -118,9 +116,8 @@ class Surface:
     def radius(self) -> float:
         """The radius in metres of a disc about the middle of its thing; 0 of what is none."""
         x0, y0, x1, y1 = self.region.bounds
-        return (
-            (x1 - x0) / 2 if self.is_oval and max(abs(x0 + x1), abs(y0 + y1), abs(x1 - y1)) < SURFACES.simple else 0.0
-        )
+        round_it = max(abs(x0 + x1), abs(y0 + y1), abs(x1 - y1)) < SURFACES.simple
+        return (x1 - x0) / 2 if self.is_oval and round_it else 0.0
 
     @property
     def is_seat(self) -> bool:
@@ -225,9 +222,8 @@ def bearing(asset: Asset, sizes: Sequence[Size], *, shelves: bool) -> Size:
     sides = [sorted(side + SURFACES.apart for side in size[:2]) for size in sizes]
     taken = sum(map(math.prod, sides)) / ((x1 - x0) * (y1 - y0))
     times = sum(long / max(int((x1 - x0) / short), 1) for short, long in sides) / (y1 - y0)
-    in_line = len(sizes) > 1 and all(
-        short * 2 > x1 - x0 for short, _ in sides
-    )  # on a board nothing stands behind another
+    # on a board nothing stands behind another
+    in_line = not found and len(sizes) > 1 and all(short * 2 > x1 - x0 for short, _ in sides)
     crowded = (taken > SURFACES.full or in_line) and width > SURFACES.even * depth and not tops[0].is_seat
     return (depth, round(width * times, 3), height) if crowded and 1.0 < times <= SURFACES.times else asset.size
 

@@ -10,9 +10,7 @@ from robolayout.words import TABLEWARE, Link, NamedThing
 
 AT_ONE = 10  # seats up to which "tables for six" is said of each of them
 PLATE, SETTING = 0.32, 0.42  # metres from the edge of a table to the inner end of a plate, and across plate and cutlery
-OVAL_ENDS = (
-    0.45  # metres that an oval table is longer than a round one for as many, so that plates at its ends have room
-)
+OVAL_ENDS = 0.45  # metres that an oval table is longer than a round one for as many: plates at its ends need room
 SEATS, AT_A_LINE = ((*DATA["nouns"][name],) for name in ("seats", "at_a_line"))
 
 

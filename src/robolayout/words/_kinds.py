@@ -127,9 +127,7 @@ def _settle_drawn(parsed: Parsed) -> None:
     for link in (link for link in parsed.links if link.relation in ("on", "in", "with")):
         drawn = {kind for bearer in named(link.objects) for kind in grammar().drawn.get(bearer.noun.kind, ())}
         found += [one.thing for one in link.subjects if drawn & {one.thing.noun.kind, one.thing.noun.said}]
-        if any(
-            bearer.noun.kind == "bookshelf" for bearer in named(link.objects)
-        ):  # "a bookcase with five books" has these
+        if "bookshelf" in {bearer.noun.kind for bearer in named(link.objects)}:  # one "with five books" has these
             found = [thing for thing in found if thing.uncounted and link.relation == "with"]
     for thing in dict.fromkeys(found):
         parsed.things.remove(thing)

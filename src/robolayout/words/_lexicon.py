@@ -92,9 +92,8 @@ def grammar() -> Grammar:
 
 def dressing(text: str) -> str:
     """Return how much is to lie about in a room that somebody describes: "none", "some" or "full"."""
-    said = f" {re.sub('[^a-z]+', ' ', text.lower())} ".replace(
-        " set for ", " for "
-    )  # those places are things of their own
+    said = f" {re.sub('[^a-z]+', ' ', text.lower())} "
+    said = said.replace(" set for ", " for ")  # what is laid there are things of their own
     known = grammar().dress.items()
     return next((amount for amount, phrases in known if any(f" {phrase} " in said for phrase in phrases)), "none")
 

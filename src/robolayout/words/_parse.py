@@ -176,9 +176,8 @@ class Parser(Relating):
         if many and len(last) == 1 and not last[0].several and every and chunk.value != "both":
             self.subject = self.group = many[-1:]  # "two beds parted by a curtain, each with a lamp"
         elif each and self.group and self.group[-1].several and self._ahead().kind in ("with", "rel"):
-            alike = [
-                m for m in self.group if m.topped == self.group[-1].topped
-            ]  # "two cups, and two tables, each with ..."
+            # "two cups, and two tables, each with ..."
+            alike = [m for m in self.group if m.topped == self.group[-1].topped]
             self.subject = self.group = [m for m in alike if m.several]  # "a desk and three tables, each with ..."
             self.holder, self.having = [], False
         elif several_meant and (self.before or len([*self.recent, *self.targets]) > 1):
@@ -384,9 +383,8 @@ class Parser(Relating):
         if apart and [c.kind for c in rest[:2]] == ["rel", "part"] and rest[1].value in small.OPENINGS_AND_CORNERS:
             return False  # "a cabinet with a sink, a scale for dogs by the door"
         closes = self._ahead().kind in ("comma", "stop", "") and mention.thing.noun.said in small.WORKED_AT
-        return (
-            mention.topped or (tops and (closes or not joined) and _accessory(mention)) or told
-        ) and not holder.topped
+        goes_with = tops and (closes or not joined) and _accessory(mention)
+        return (mention.topped or goes_with or told) and not holder.topped
 
     def _on_part(self, chunk: Chunk) -> None:
         """A place of the room that no relation leads to: what it has, doors and windows that are asked for."""

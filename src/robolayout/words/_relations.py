@@ -116,8 +116,8 @@ class Relating(Spaces):
         more = "*" if had > 1 else "+"  # ", a keyboard and a chair, a plant by the door"; ", and a chair, ..."
         inner = re.match(f"(comma thing ){more}(comma )?and thing (?=comma|and)", " ".join(rest))
         listed = self.chunks[self.at : self.at + len(inner[0].split())] if inner else []
-        had_kinds = [kind for chunk in listed if chunk.noun is not None for kind in chunk.noun.categories[:1]]
-        if had_kinds and all(kind.on_object or kind.name.split()[-1] in small.SEATS for kind in had_kinds):
+        goes_with = [kind for chunk in listed if chunk.noun is not None for kind in chunk.noun.categories[:1]]
+        if goes_with and all(kind.on_object or kind.name.split()[-1] in small.SEATS for kind in goes_with):
             return True
         while rest[-1:] in (["rel"], ["pron"]):  # "..., a keyboard and a chair in front of it"
             rest.pop()

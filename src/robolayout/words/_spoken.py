@@ -385,9 +385,8 @@ class Spoken:
             m for m, said in zip(earlier, again, strict=True) if not said and (m.thing not in on or not m.topped)
         ]
         borne = {thing for k in self._here if k.relation == "on" for thing in named(k.subjects)}
-        below = [
-            m for m in earlier if m.thing not in borne
-        ]  # "a washer, a dryer, a basket on it and a shelf above them"
+        # "a washer, a dryer, a basket on it and a shelf above them"
+        below = [m for m in earlier if m.thing not in borne]
         earlier = below if relation == "above" and len(below) > 1 else earlier
         several = [m for m in earlier if m.thing.count > 1]
         if several and earlier[-1:] == several[-1:]:

@@ -255,12 +255,9 @@ def _at_tables(links: Sequence[Link]) -> None:
     """Settle how much several tables have of what no number is said: "three high tables with stools", "set for six with plates"."""
     for link in (link for link in links if link.relation in ("with", "on")):
         for table, thing in ((m.thing, one.thing) for m in mentions(link.objects) for one in link.subjects):
-            each = (
-                2 if thing.head == "stool" and table.count > 1 else table.people if thing.head in small.TABLEWARE else 0
-            )
-            each = each or int(
-                link.relation == "on" and table.head in small.TOPS
-            )  # "crates on four tables": one on each
+            laid = table.people if thing.head in small.TABLEWARE else 0
+            each = 2 if thing.head == "stool" and table.count > 1 else laid
+            each = each or int(link.relation == "on" and table.head in small.TOPS)  # "crates on four tables"
             thing.number = max(each * table.count, 2) if each and thing.uncounted else thing.number
 
 
