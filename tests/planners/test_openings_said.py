@@ -11,6 +11,7 @@ from shapely import LineString
 import robolayout as rl
 from robolayout.constraints import AssetRef
 from robolayout.constraints._exact import footprint
+from robolayout.constraints.mounted_on import MountedOn
 from robolayout.planners.sentence import scene_from_sentence
 from robolayout.scene import Layout, Opening, Scene
 from robolayout.words import COMPASS, read_words
@@ -119,3 +120,12 @@ def test_a_door_is_in_the_middle_of_its_wall_where_a_counter_with_neighbours_is_
     scene, _ = scene_from_sentence(text)
     (door,) = scene.room.doors
     assert abs(door.center - scene.room.walls[door.wall].length / 2) < 0.02
+
+
+def test_a_board_at_the_front_hangs_on_a_wall_that_holds_it() -> None:
+    """Two windows were in that wall, and no room between them."""
+    scene, _ = scene_from_sentence("a physics lab with four benches in two rows and a whiteboard at the front")
+    said = [one for demand in read_words(scene).demands for way in demand.ways for one in way]
+    (board,) = {one for one in said if isinstance(one, MountedOn)}
+    assert board.wall is not None
+    assert board.wall.index not in {window.wall for window in scene.room.windows}

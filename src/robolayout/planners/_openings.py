@@ -197,6 +197,9 @@ def _held_besides(
         yield [_meant(room, Place("wall", ("short",)))[-1:]], [wishes.kinds["whiteboard"]]
     if not room.doors and any({"back", "rear"} & {*at.words} for at in places(link.objects, "side")):
         yield [_meant(room, Place("wall", ("back",)))], there
+    sided = [at for at in places(link.objects, "side") if {"front", "back", "rear"} & {*at.words}]
+    if room.doors and sided and all(kind.on_wall and not kind.on_floor for kind in there):  # "a board at the front"
+        yield [_meant(room, replace(sided[0], name="wall"))], there
     mirrors = [wishes.kinds[m.thing.noun.kind] for m in mentions(link.objects) if m.thing.noun.kind == "mirror"]
     if mirrors and link.relation == "front" and sum(m.count for m in link.subjects) > 2:  # chairs, each before its own
         told = _walls_told(room, wishes.reading, named(link.subjects))
