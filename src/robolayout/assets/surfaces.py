@@ -234,10 +234,15 @@ def _longer(shelves: Sequence[Surface], width: float, sizes: Sequence[Size]) -> 
     lacks = max(max(deep for deep, *_ in sizes) + SURFACES.apart - (x1 - x0), 0.0)
     for step in range(int((SURFACES.times - 1.0) * width / SURFACES.longer) + 1):
         more = (lacks, step * SURFACES.longer)
-        many = [sum(slots(shelf, size, more) for shelf in shelves) for size in sizes]
-        if all(many) and sum(Fraction(1, one) for one in many) <= 1:
+        if hold_all(shelves, sizes, more):
             return more if lacks <= SURFACES.deepens else None
     return None
+
+
+def hold_all(shelves: Sequence[Surface], sizes: Iterable[Size], more: tuple[float, float] = (0.0, 0.0)) -> bool:
+    """Return whether things of some sizes all stand on some shelves, or on shelves that are so much larger."""
+    many = [sum(slots(shelf, size, more) for shelf in shelves) for size in sizes]
+    return all(many) and sum(Fraction(1, one) for one in many) <= 1
 
 
 def slots(surface: Surface, size: Size, more: tuple[float, float] = (0.0, 0.0)) -> int:

@@ -308,7 +308,7 @@ class References(Counting):
         elif len(subjects) == 1 and subjects[0] in last.objects and subjects[-1].sat_on:
             bears = any(mention.thing.head in (*small.TOPS, "stand", "shelf") for mention in last.subjects[:1])
             subjects = list(last.subjects) if bears else subjects
-        own = subjects[-1:] if every and subjects and subjects[-1].several else subjects
+        own = subjects[-1:] if every and subjects and subjects[-1].thing.count > 1 else subjects
         return [Mention(mention.thing, mention.pick, "each") for mention in own] if every else subjects
 
     def _hangs(self, holder: NamedThing) -> bool:

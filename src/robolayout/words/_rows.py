@@ -62,7 +62,7 @@ def lines(scene: Scene, link: Link, names: Sequence[str]) -> int | None:
     return across if long or link.relation == "columns" else rows
 
 
-def _apart(thing: Asset) -> bool:
+def _takes_no_place(thing: Asset) -> bool:
     """Return whether a thing takes no place beside others: a rug lies before them as well, a soap dispenser on them."""
     return thing.is_flat or (thing.on_object and not thing.on_floor)
 
@@ -77,7 +77,7 @@ class ToldRows:
             name
             for link, about, to in links
             if link.relation in ("amid", "flank") or (link.relation in small.AT_SIDES and len(about) > 1)
-            if not all(_apart(scene.by_name[one]) for one in about)
+            if not all(_takes_no_place(scene.by_name[one]) for one in about)
             if link.relation == "amid" or not all(scene.by_name[one].category.endswith(seats) for one in about)
             for name in to
         }

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 from fractions import Fraction
 
-from robolayout.assets.surfaces import Surface, open_shelves, slots
+from robolayout.assets.surfaces import Surface, hold_all, open_shelves, slots
 from robolayout.scene import Asset
 from robolayout.words._places import Asked
 from robolayout.words._said import Link
@@ -22,10 +22,9 @@ def shelved(assets: Mapping[str, Asset], asked: Iterable[tuple[Link, Asked]]) ->
             held[b, level].append(a)
     for (b, level), names in held.items():
         shelves = _meant(open_shelves(assets[b]), level)
-        room = [sum(slots(shelf, assets[a].size) for shelf in shelves) for a in names]
         if level and shelves:
             yield from (((a, b), shelf) for a, shelf in _dealt([assets[a] for a in names], shelves))
-        elif all(room) and sum(Fraction(1, many) for many in room) <= 1:
+        elif hold_all(shelves, [assets[a].size for a in names]):
             yield from (((a, b), "") for a in names)
 
 

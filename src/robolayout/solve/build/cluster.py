@@ -215,13 +215,13 @@ class ClusterBuilder:
     def _on(self, anchor: Want, items: Sequence[Want], placed: Sequence[Member]) -> list[Member]:
         """On the anchor's tops: place settings before its seats, the rest where its kind belongs; what one cannot hold on the next."""
         sizes, found = {name: item.asset.size for name, item in self.wants.items()}, list[Member]()
+        seated = {m.name for m in placed[1:] if m.bottom == 0.0 and _seats(self.wants[m.name])}
         for place, share in _dealt(anchor, items, [(member.bottom, sizes[member.name]) for member in placed[1:]]):
-            around = [member for member in placed[1:] if member.bottom == 0.0 and _seats(self.wants[member.name])]
-            oval = place.is_oval and bool(around)
+            oval = place.is_oval and bool(seated)
             x0, y0, x1, y1 = place.box if oval else place.rectangle
             middle = ((x0 + x1) / 2, (y0 + y1) / 2)
             there = [replace(member, x=member.x - middle[0], y=member.y - middle[1]) for member in placed[1:]]
-            seats = {m.name: m for m in there if m.name in {seat.name for seat in around}}
+            seats = {m.name: m for m in there if m.name in seated}
             size = (x1 - x0, y1 - y0, place.height)
             top = Top(size, sizes, there, self.reachable, list(seats.values()), oval=oval)
             put = top.put([(item.name, item.joined.at, seats.get(item.joined.seat)) for item in share])
