@@ -131,7 +131,7 @@ def ringed(cast: Mapping[str, Cast], demands: Sequence[Demand]) -> dict[str, tup
 
     They stand at nothing but the rug; seats of a table stand there, if that is not the one of a sofa beside the rug.
     """
-    placed, on = subjects(demands), dict[str, list[str]]()
+    placed, on = subjects(one for one in demands if not isinstance(one.ways[0][0], Under)), dict[str, list[str]]()
     for one in said(demands):
         if isinstance(one, Under):
             on.setdefault(one.a.name, []).extend(item.name for item in one.items)

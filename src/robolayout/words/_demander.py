@@ -86,12 +86,9 @@ class Demander(InOrder):
         self.tucked = {b for it in tables for b in it.others}
         mutual = [it.subjects for link, it in asked if link.relation == "mutual"]
         self.opposed = [two for names in mutual for two in zip(names[::2], names[1::2], strict=False)]
-        self.central = {
-            name
-            for link, it in asked
-            if not it.others and (link.relation == "middle" or (it.place and it.place.name == "middle"))
-            for name in it.subjects
-        }
+        alone = [({link.relation, *(place.name for place in it.places[:1])}, it) for link, it in asked if not it.others]
+        self.central = {name for where, it in alone if "middle" in where for name in it.subjects}
+        self.at_places = self.central.union(name for _, it in alone if it.place for name in it.subjects)
         self.lounging = self._lounging(it for link, it in asked if link.relation == "around")
         self.told = ToldRows(scene, [(link, it.subjects, it.others) for link, it in asked])
 
@@ -180,7 +177,11 @@ class Demander(InOrder):
     def _on_each(self, a: str, b: str) -> Demand:
         """A thing rests on another: a rug lies below what stands on it; what stands on the floor is flush with a counter that it is in."""
         if self._asset(b).is_flat:
-            return single(stated("under", AssetRef(b), (AssetRef(a),)))
+            (long, short), own = sorted(self._asset(b).size[:2], reverse=True), max(self._asset(a).size[:2])
+            # of a sofa on a rug the front legs are, a rug of which no more is said lies at what it belongs to, and several make a ring
+            alike = sum(one.category == self._asset(a).category for one in self.scene.assets)
+            wholly = b in self.at_places and own <= ways_of.SMALL_ON_A_RUG * short and alike == 1
+            return self._over_rug(a, b, round((long + short) / 4, 2) if wholly else None)
         built = self._asset(a).on_floor and not self._asset(a).on_object and category_of(self._asset(a)).built_in
         if built and self._is(b, ("counter", "island")):
             return by_ways(ways_of.FLUSH, a, b)  # "a sink in an island", "the stove on one counter"
@@ -190,6 +191,12 @@ class Demander(InOrder):
         return single(stated("above" if hung else "on_top_of", AssetRef(a), AssetRef(b)))
 
     _in_each = _on_each
+
+    def _over_rug(self, a: str, b: str, most: float | None) -> Demand:
+        """A thing stands on a rug, its middle so far from that of the rug at the most."""
+        under = stated("under", AssetRef(b), (AssetRef(a),))
+        near = () if most is None else (stated("distance_constraint", AssetRef(a), AssetRef(b), None, most),)
+        return Demand(((under, *near),))
 
     def _with_each(self, a: str, b: str) -> Demand | None:
         """What a thing has: on it, if it can stand nowhere else, else at it."""
@@ -413,6 +420,8 @@ class Demander(InOrder):
     def _middle_each(self, a: str, b: str) -> Demand:
         if not (self._asset(a).on_object or self._asset(b).is_flat):
             return single(stated("near", AssetRef(a), AssetRef(b), ways_of.BESIDE))
-        below = self._on_each(a, b)
-        middle = () if self._asset(b).is_flat else (stated("centered_on", AssetRef(a), AssetRef(b)),)
-        return Demand(tuple((*way, *middle) for way in below.ways))
+        if self._asset(b).is_flat:
+            return self._over_rug(a, b, ways_of.MIDDLE_OF_A_RUG if b in self.at_places else None)
+        return Demand(
+            tuple((*way, stated("centered_on", AssetRef(a), AssetRef(b))) for way in self._on_each(a, b).ways)
+        )

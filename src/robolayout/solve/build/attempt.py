@@ -156,7 +156,7 @@ class BuildPass:
         nudge = 0.0 if self.calm else COSTS.shuffle
         below = [under for name in self.site.late for under in asked_below(self.site, name)]
         wide = {one for one in below if below.count(one) > 1}  # its wall has to have room for all that hangs over it
-        early = wide.union(self.first)
+        early = wide.union(self.first, self.site.first)
         ahead = [len(by_kind) * any(one.name in early for one in items) for items in by_kind.values()]
         turns = [
             (turn + nudge * self.rng.normal() - ahead[turn], turn, items) for turn, items in enumerate(by_kind.values())

@@ -48,9 +48,13 @@ class Said:
     asked: tuple[SaidStatement, ...] = ()  # the statements
 
     @staticmethod
-    def of(scene: Scene, program: Program, behind: Collection[str]) -> Said:
-        """Return the statements of a program but those that hold by how places are found, which those of what is `behind` others do not."""
-        relations = [one.relation for one in program.statements if not _built_in(one.relation, behind)]
+    def of(scene: Scene, program: Program, behind: Collection[str], first: Collection[str]) -> Said:
+        """Return the statements of a program but those that hold by how places are found.
+
+        Those of what is `behind` others do not, and those of a rug that is laid `first`.
+        """
+        told = {*behind, *first}
+        relations = [one.relation for one in program.statements if not _built_in(one.relation, told)]
         asked = (SaidStatement(frozenset(one.asset_names()), one.ways(scene) or ((one,),)) for one in relations)
         return Said(scene, tuple(asked))
 
@@ -131,11 +135,21 @@ class Said:
         return Body(x, y, np.cos(yaw), np.sin(yaw), *np.array([[depth / 2], [width / 2], [core]]))
 
 
-def _built_in(relation: Relation, behind: Collection[str]) -> bool:
-    """Whether a relation holds by the way in which places are found: on tops, at any wall, square to the room."""
-    walled = relation if isinstance(relation, AgainstWall | MountedOn) else None
-    anywhere = walled is not None and walled.wall is None and walled.a.name not in behind
-    return anywhere or isinstance(relation, OnTopOf | Under) or (isinstance(relation, AlignWith) and relation.b is None)
+def rugs_first(scene: Scene, program: Program) -> frozenset[str]:
+    """Return the rugs whose places are asked for by themselves, and on which things stand."""
+    said = [one.relation for one in program.statements]
+    alone = {one.asset_names()[0] for one in said if len({*one.asset_names()}) == 1}
+    rugs = {one.a.name for one in said if isinstance(one, Under)}
+    return frozenset(rug for rug in rugs & alone if scene.by_name[rug].is_flat)
+
+
+def _built_in(relation: Relation, told: Collection[str]) -> bool:
+    """Whether a relation holds by the way in which places are found: on tops, under things, at any wall, square to the room."""
+    if isinstance(relation, AgainstWall | MountedOn):
+        return relation.wall is None and relation.a.name not in told
+    if isinstance(relation, Under):
+        return relation.a.name not in told
+    return isinstance(relation, OnTopOf) or (isinstance(relation, AlignWith) and relation.b is None)
 
 
 def _pose(scene: Scene, member: Member) -> Pose:

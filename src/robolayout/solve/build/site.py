@@ -33,7 +33,7 @@ from robolayout.scene import Room, Scene, Wall
 from robolayout.solve.build.cluster import Cluster, ClusterBuilder
 from robolayout.solve.build.form import Forms, at, corners_of, side_rect
 from robolayout.solve.build.member import Member, Poses, Rect, box_of, overlaps
-from robolayout.solve.build.said import Said
+from robolayout.solve.build.said import Said, rugs_first
 from robolayout.solve.build.wants import Want, late
 
 CLASH = 100.0
@@ -106,6 +106,7 @@ class Site:
     # what things in places that were settled before ask of it; shared by all copies
     known: dict[tuple[Member, str], Claim] = field(default_factory=dict[tuple[Member, str], "Claim"])
     late: frozenset[str] = frozenset()  # what is hung and laid once the floor is furnished
+    first: frozenset[str] = frozenset()  # rugs that lie where they are asked before things stand on them
     trial: bool = False  # whether this is only to find out what is reached: nothing else is recorded
 
     @staticmethod
@@ -115,12 +116,24 @@ class Site:
         floor = Floor.of(scene.room, corridor, max(turning_radius(agent) for agent in scene.agents))
         forms, clusters = Forms(scene, wants, corridor), ClusterBuilder(scene, wants)
         behind = {name for name, want in wants.items() if want.join is not None and want.join.slot == "behind"}
-        said = Said.of(scene, program, behind)
+        first = rugs_first(scene, program)
+        said = Said.of(scene, program, behind, first)
         covers: dict[str, list[str]] = {}
         for want in wants.values():
             if want.over and (want.asset.is_flat or want.overhead):
                 covers.setdefault(want.over[0], []).append(want.name)
-        site = Site(scene, wants, floor, forms, corridor, said, clusters, covers, late=frozenset(late(wants)))
+        site = Site(
+            scene,
+            wants,
+            floor,
+            forms,
+            corridor,
+            said,
+            clusters,
+            covers,
+            late=frozenset(late(wants)) - first,
+            first=first,
+        )
         site.solids += [shapely.Polygon(scene.room.landing(door)) for door in scene.room.doors]
         return site
 
