@@ -15,10 +15,12 @@ from robolayout.words import (
     AT_SIDES,
     COMPASS,
     NEARBY,
+    Framed,
     Link,
     NamedThing,
     Place,
     Reading,
+    ends_there,
     grammar,
     mentions,
     named,
@@ -54,8 +56,8 @@ class Openings:
 OPENINGS = Openings()
 
 
-ANY = Place("wall")
-"""Any wall."""
+ANY, UNTOLD = Place("wall"), Framed()
+"""Any wall, and a door or window of which nothing more is said."""
 
 
 @dataclass(frozen=True)
@@ -65,6 +67,7 @@ class Wanted:
     count: int  # how many
     wall: Place = ANY  # the walls that it may be in
     large: bool = False  # whether large ones are asked for
+    framed: Framed = UNTOLD  # how wide, and where along their wall
 
     @property
     def told(self) -> bool:
@@ -94,10 +97,12 @@ def with_openings(
         fits = next((free for taken in off if (free := [i for i in fits if i not in taken])), fits)
         start = fits.index(usual) if usual in fits and not number else 0
         wall = _wall(room, item.wall, fits[start:] + fits[:start])
-        spare = room.walls[wall].length - wide
+        width = min(item.framed.width or wide, room.walls[wall].length)
+        height = min(item.framed.height or tall, room.wall_height - OPENINGS.lintel)
+        spare = room.walls[wall].length - width
         first = min(OPENINGS.flanked if wishes.reading.flanked_door else OPENINGS.aside, spare / 2)
         offset = first + (1.0 - _aside(room, wall, along, wishes, full)) * (spare - 2 * first)
-        width, height = min(wide, room.walls[wall].length), min(tall, room.wall_height - OPENINGS.lintel)
+        offset = offset if not item.framed.along else _along(room, wall, spare, item.framed)
         doors.append(Opening(wall, round(max(offset, 0.0), 2), width, height))
     more = max(1 + int(rng.integers(0, 2)), int(room.area / OPENINGS.window_each)) if room.area > OPENINGS.small else 1
     room, taken = replace(room, doors=tuple(doors)), {d.wall for d in doors}
@@ -123,11 +128,11 @@ def _wanted(reading: Reading, kind: str, usual: int, most: int) -> list[Wanted]:
         count = min(place.number or (2 if place.plural else 1), 8)
         for i, wall in enumerate(walls):  # "windows in the north and west walls"
             share = max(count * (i + 1) // len(walls) - count * i // len(walls), 1)
-            found.append(Wanted(share * (place.number != 0), wall, bool(large)))
+            found.append(Wanted(share * (place.number != 0), wall, bool(large), place.opening or UNTOLD))
     objects = [place for link in reading.parsed.links for place in places(link.objects)]
     told = {(sides(o),): o for o in objects if o.name == kind and sides(o)}
     there = {word for wanted in found for word in wanted.wall.words}
-    found += [Wanted(o.number or 1, o) for o in told.values() if not {*sides(o)} & there]
+    found += [Wanted(o.number or 1, o, framed=o.opening or UNTOLD) for o in told.values() if not {*sides(o)} & there]
     spoken = [o for o in (*objects, *(o.by[1] for o in objects if o.by)) if o.name == kind and not o.words]
     several = any(o.plural for o in spoken)
     if not found and any(o.det in ("each", "both", "all") for o in spoken):
@@ -277,8 +282,22 @@ def _windows(
             width, height = OPENINGS.large if item.large else OPENINGS.usual
             sill = min(0.9, max(room.wall_height - height - OPENINGS.lintel, 0.0))
             height = round(min(height, room.wall_height - sill - OPENINGS.lintel), 2)
-            width = round(min(width, share * (OPENINGS.most_of_a_wall if len(items) == 1 or spread else 0.7)), 2)
-            yield Opening(wall, round(begin + number * share + (share - width) * middle, 2), width, height, sill)
+            width = min(width, share * (OPENINGS.most_of_a_wall if len(items) == 1 or spread else 0.7))
+            width = round(min(item.framed.width or width, share), 2)
+            height = min(item.framed.height or height, room.wall_height - sill - OPENINGS.lintel)
+            first = begin + number * share + (share - width) * middle
+            if item.framed.along:
+                told = _along(room, wall, room.walls[wall].length - width, item.framed)
+                first = min(max(told, begin), end - width)
+            yield Opening(wall, round(first, 2), width, height, sill)
+
+
+def _along(room: Room, wall: int, spare: float, told: Framed) -> float:
+    """Return how many metres from the start of its wall something is told to be, which leaves so many metres of it."""
+    if told.along == "middle":
+        return spare / 2
+    off = min(told.off or OPENINGS.aside, spare / 2 if not told.off else spare)
+    return spare - off if ends_there(room.walls[wall], told.along) else off
 
 
 def _stretch(room: Room, wall: int) -> tuple[float, float]:

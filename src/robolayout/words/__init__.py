@@ -1,5 +1,6 @@
 """Sentences and criteria as rows: what is asked, what it asks of a scene, and whether a layout meets it."""
 
+from robolayout.words._chunk import Framed as Framed
 from robolayout.words._function_words import AREAS as AREAS
 from robolayout.words._function_words import AT_SIDES as AT_SIDES
 from robolayout.words._function_words import COUNTERS as COUNTERS
@@ -23,6 +24,7 @@ from robolayout.words._said import places as places
 from robolayout.words._said import sides as sides
 from robolayout.words._tokens import Measure as Measure
 from robolayout.words._walls import COMPASS as COMPASS
+from robolayout.words._walls import ends_there as ends_there
 from robolayout.words._walls import opposed as opposed
 from robolayout.words._walls import walls_meant as walls_meant
 from robolayout.words._ways import AISLE as AISLE

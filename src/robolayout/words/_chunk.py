@@ -28,6 +28,22 @@ SOME, ROWS = -1, 3
 
 
 @dataclass(frozen=True)
+class Framed:
+    """What is said of a door or window besides its wall."""
+
+    width: float = 0.0  # metres, 0 if nothing is said
+    height: float = 0.0
+    along: str = ""  # where along its wall: "middle", "left", "right" or a point of the compass
+    off: float = 0.0  # metres between it and that end of the wall
+
+    def __str__(self) -> str:
+        metres = [f"{self.width:g} m wide"] * (self.width > 0) + [f"{self.height:g} m high"] * (self.height > 0)
+        off = f"{self.off:g} m from " if self.off else "at "
+        along = "in the middle of it" if self.along == "middle" else f"{off}its {self.along} end"
+        return ", ".join((*metres, *[along] * bool(self.along)))
+
+
+@dataclass(frozen=True)
 class Chunk:
     """A phrase."""
 
@@ -48,6 +64,7 @@ class Chunk:
     measure: Measure | None = None  # A measure of the room
     sizes: tuple[Measure, ...] = ()  # measures of the thing
     total: int | None = None  # of how many these are some: "two of the three stools"
+    opening: Framed | None = None  # what is said of a door or window
 
     @property
     def level(self) -> int:

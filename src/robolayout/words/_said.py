@@ -9,7 +9,7 @@ from robolayout.assets import Category
 from robolayout.assets.palette import COLORS, LOOKS
 from robolayout.scene import FLAT_HEIGHT
 from robolayout.words import _function_words as small
-from robolayout.words._chunk import Chunk
+from robolayout.words._chunk import Chunk, Framed
 from robolayout.words._function_words import COMPASS, IN_PAIRS
 from robolayout.words._lexicon import Noun, grammar
 from robolayout.words._tokens import Measure
@@ -236,6 +236,7 @@ class Place:
     plural: bool = False  # whether several are meant
     det: str = ""  # the article
     by: tuple[str, Place] | None = None  # for a wall: what says which one ("opposite the door"), with the relation
+    opening: Framed | None = None  # what is said of a door or window besides its wall
 
     @property
     def apart(self) -> list[Place]:
@@ -341,7 +342,7 @@ def places(items: Iterable[Item], *names: str) -> list[Place]:
 
 def place_of(chunk: Chunk) -> Place:
     """Return the place that a chunk names."""
-    return Place(chunk.value, chunk.adjectives, chunk.number, chunk.plural, chunk.det)
+    return Place(chunk.value, chunk.adjectives, chunk.number, chunk.plural, chunk.det, opening=chunk.opening)
 
 
 def sides(chunk: Chunk | Place) -> tuple[str, ...]:

@@ -177,7 +177,7 @@ class Spaces(About):
             return
         at = self.fronted[1][:1] if self.fronted is not None and not self.group else []
         wall = self._opening_wall() or place_in(at, "wall") or Place("wall", sides(chunk))
-        if wall.words or wall.by or self.holder or chunk.number or chunk.det == "a":
+        if wall.words or wall.by or self.holder or chunk.number or chunk.det == "a" or chunk.opening is not None:
             place = replace(place_of(chunk), words=wall.words, by=wall.by)
             self.opening = self.opening if self.group or self.subject else place
             self.said.openings.append((place, (chunk.start, self._ahead(-1).end)))

@@ -6,6 +6,7 @@ import math
 
 from robolayout.constraints.corner import convex_corners
 from robolayout.scene import Opening, Room, Wall
+from robolayout.words._chunk import Framed
 from robolayout.words._lexicon import grammar
 from robolayout.words._said import Place, sides
 
@@ -14,6 +15,10 @@ COMPASS = {"north": (0.0, -1.0), "south": (0.0, 1.0), "east": (-1.0, 0.0), "west
 
 SAME = 0.05
 """Metres by which walls that count as equally long may differ."""
+
+FRAME, AMID, BY_AN_END = 0.02, 0.2, 1.0
+"""Metres by which a door or window may be wider than is told, and off where it is told to be; and those between it and an end of its
+wall that it is by."""
 
 
 def walls_meant(room: Room, place: Place) -> list[Wall]:
@@ -96,6 +101,28 @@ def openings_meant(room: Room, place: Place) -> tuple[Opening, ...]:
     """Return the doors or windows that words mean, all where nothing tells them apart."""
     found, walls = openings(room, place.name), walls_meant(room, Place("wall", sides(place)))
     return tuple(opening for opening in found if opening.wall in {wall.index for wall in walls}) or found
+
+
+def ends_there(wall: Wall, word: str) -> bool:
+    """Return whether a word for an end of a wall, as one faces it from within or by the compass, means its end, not its start."""
+    if word in COMPASS:
+        (dx, dy), (nx, ny) = wall.direction, COMPASS[word]
+        return dx * nx + dy * ny < 0
+    return word == "left"
+
+
+def is_framed(room: Room, opening: Opening, told: Framed) -> bool:
+    """Return whether a door or window is as wide and high as is told, and where along its wall."""
+    wall = room.walls[opening.wall]
+    before, after = opening.offset, wall.length - opening.offset - opening.width
+    as_wide = not told.width or abs(opening.width - told.width) <= FRAME
+    as_high = not told.height or abs(opening.height - told.height) <= FRAME
+    if not told.along:
+        return as_wide and as_high
+    if told.along == "middle":
+        return as_wide and as_high and abs(before - after) <= 2 * AMID
+    near, far = (after, before) if ends_there(wall, told.along) else (before, after)
+    return as_wide and as_high and (abs(near - told.off) <= AMID if told.off else near <= min(far, BY_AN_END))
 
 
 def openings(room: Room, kind: str) -> tuple[Opening, ...]:

@@ -25,7 +25,7 @@ from robolayout.words._judged import Finding, Furnished, Unjudged, Verdict, met
 from robolayout.words._lexicon import Lexicon, grammar, plain, words_for
 from robolayout.words._said import Link, NamedThing, Place, mentions, named, place_in
 from robolayout.words._tokens import Measure
-from robolayout.words._walls import openings, walls_meant
+from robolayout.words._walls import is_framed, openings, walls_meant
 from robolayout.words.demands import Demand
 from robolayout.words.reading import Reading, read_text
 from robolayout.words.rooms import read_rooms
@@ -232,10 +232,12 @@ class _RowMaker:
 
         def judge(room: Furnished) -> Finding:
             walls = {wall.index for wall in walls_meant(room.scene.room, place)}
-            there = sum(opening.wall in walls for opening in openings(room.scene.room, place.name))
+            own = (one for one in openings(room.scene.room, place.name) if one.wall in walls)
+            there = sum(place.opening is None or is_framed(room.scene.room, one, place.opening) for one in own)
             return met(there == wanted if place.number is not None else there >= wanted, f"{there} there")
 
-        return Unjudged(words, "opening", f"{wanted} {as_row.shown(place)}", judge)
+        said = f", {place.opening}" if place.opening is not None else ""
+        return Unjudged(words, "opening", f"{wanted} {as_row.shown(place)}{said}", judge)
 
     def _count(self, thing: NamedThing) -> Unjudged:
         """Return the row of a thing: as many as are asked for, those that stand for another thing aside."""

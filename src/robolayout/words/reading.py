@@ -15,6 +15,7 @@ from robolayout.words import _function_words as small
 from robolayout.words._appositions import described
 from robolayout.words._chunk import Chunk
 from robolayout.words._chunks import Chunker
+from robolayout.words._framed import framed
 from robolayout.words._kinds import settle_kinds
 from robolayout.words._lexicon import Lexicon, grammar
 from robolayout.words._parse import Parser
@@ -192,7 +193,7 @@ def read_text(text: str, lexicon: Lexicon) -> Reading:
     """
     read = text[:LONGEST]
     words = _said_besides(reworded(tokens(read)))
-    chunks = described(Chunker(words, measures(read), lexicon).chunks())
+    chunks = described(framed(Chunker(words, measures(read), lexicon).chunks()))
     named = _place_named(chunks, words)
     if named is not None:
         chunks[named[0]] = named[1]
