@@ -288,7 +288,7 @@ def _windows(
             first = begin + number * share + (share - width) * middle
             if item.framed.along:
                 told = _along(room, wall, room.walls[wall].length - width, item.framed)
-                first = min(max(told, begin), end - width)
+                first = min(max(told, begin + number * share), begin + (number + 1) * share - width)
             yield Opening(wall, round(first, 2), width, height, sill)
 
 

@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 
 from robolayout.words._chunk import NOTHING, Chunk, Framed
 from robolayout.words._said import sides
+from robolayout.words._tokens import count_of
 
 WIDTHS = ("wide", "long", "length", "size", "across")
 """Measures that may be a width."""
@@ -105,7 +106,7 @@ class _Told:
     def _read(self) -> int:
         """Return where that goes on which is read of it, or where it stands if nothing more is."""
         at = self.at
-        while self._peek(at).kind in BETWEEN:
+        while self._peek(at).kind in BETWEEN and count_of(self._peek(at).value) is None:
             at += 1
         between = {chunk.kind: chunk for chunk in self.chunks[self.at : at]}
         own = self._peek(at + 1).value not in ("door", "window")  # not "a door and a 2 m wide window"
