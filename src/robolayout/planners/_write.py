@@ -250,6 +250,8 @@ class Writer:
         """Yield where a thing hangs or lies."""
         a, values, over = self._name(item.name), self._values(item), self._under(item)
         owner = self._owners.get(item.name)
+        if mode == "ceiling" and item.name in self.over:
+            return  # the lamps over a bar are none of the tables'
         told = item.name in {*self.asked, *self.below, *(rug for rug, _ in self.ringed.values())}
         if told and not (mode == "rug" and owner and self._lies_below(item, owner)):
             owner = None
@@ -293,6 +295,8 @@ class Writer:
         taken, found = Counter[tuple[str, str]](), dict[str, str]()
         for name, one in self.cast.items():
             mode = _modes(one)[0]
+            if mode == "ceiling" and name in self.over:
+                continue
             free = [n for n in self._under(one) if not (mode == "rug" and taken[mode, n])]
             if free:
                 found[name] = min(free, key=lambda n: taken[mode, n])

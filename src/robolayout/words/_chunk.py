@@ -102,8 +102,15 @@ def without_noun(
     if (picks and not one and run(end)) or not _looks(told or ""):
         return None
     if picks in LATTER:
-        two = [c for c in found if c.kind == "thing" and not {*words[c.start : c.end]} & {*LATTER}][-2:]
-        return replace(two[LATTER.index(picks) - 2], start=at, end=end, det="the", adjectives=()) if two[1:] else None
+        here = takewhile(lambda c: c.kind not in ("stop", "comma", "and"), reversed(found))
+        led = (
+            [c for c in here if c.kind == "thing"] if found[-1:] and found[-1].kind == "rel" else []
+        )  # "a mat by the latter"
+        two = [c for c in found if c.kind == "thing" and not {*words[c.start : c.end]} & {*LATTER} and c not in led][
+            -2:
+        ]
+        meant = two[max(LATTER.index(picks) - 2, -len(two))] if two[not led :] else None
+        return None if meant is None else replace(meant, start=at, end=end, det="the", adjectives=())
     new = bool(counted) or words[at] in ("a", "an", "another")
     told, looks = told or "", {*(told or "").split()}
     nouns = [c for c in found if c.kind in ("thing", "part") and (new or looks & {*c.adjectives} or _of_several(c))]

@@ -180,7 +180,8 @@ class Demander(InOrder):
             (long, short), own = sorted(self._asset(b).size[:2], reverse=True), max(self._asset(a).size[:2])
             # of a sofa on a rug the front legs are, a rug of which no more is said lies at what it belongs to, and several make a ring
             alike = sum(one.category == self._asset(a).category for one in self.scene.assets)
-            wholly = b in self.at_places and own <= ways_of.SMALL_ON_A_RUG * short and alike == 1
+            share = ways_of.SMALL_ON_A_RUG if b in self.at_places else ways_of.TOY_ON_A_RUG
+            wholly = own <= share * short and alike == 1
             return self._over_rug(a, b, round((long + short) / 4, 2) if wholly else None)
         built = self._asset(a).on_floor and not self._asset(a).on_object and category_of(self._asset(a)).built_in
         if built and self._is(b, ("counter", "island")):

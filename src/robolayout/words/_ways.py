@@ -38,8 +38,9 @@ ASKEW = (45.0, 135.0, 225.0, 315.0)
 ALONG = 2.0
 """Metres of the strip in which things are along windows before which not all of them have room."""
 
-SMALL_ON_A_RUG, MIDDLE_OF_A_RUG = 0.7, 0.25
-"""Share of a rug's shorter side up to which a thing stands on it wholly, and metres between their middles where it is in its middle."""
+SMALL_ON_A_RUG, TOY_ON_A_RUG, MIDDLE_OF_A_RUG = 0.7, 0.25, 0.25
+"""Shares of a rug's shorter side up to which a thing is on it wholly, on one that lies at a place of its own and on any; and metres
+between their middles where it is in its middle."""
 
 MIDDLE_AISLE = 1.2
 """Metres between two columns of benches."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence, Set
 from dataclasses import dataclass, replace
 from functools import partial
 from types import MappingProxyType
@@ -134,7 +134,7 @@ class _RowMaker:
             yield row
             yield from self._left_out(link, row)
         for noun, span in parsed.refused:
-            yield self._refusal(noun.words, noun.kind, self.reading.span(*span))
+            yield self._refusal(noun.words, {noun.kind, *self.reading.refused(noun)}, self.reading.span(*span))
         yield from self._unread()
 
     def _unread(self) -> Iterator[Unjudged]:
@@ -366,9 +366,9 @@ class _RowMaker:
         added = room.layout.keys() - {name for names in self.names.values() for name in names}
         return met(not added, f"{', '.join(sorted(added)) or 'nothing else'} there")
 
-    def _refusal(self, noun: str, kind: str, words: str) -> Unjudged:
+    def _refusal(self, noun: str, kinds: Set[str], words: str) -> Unjudged:
         def judge(room: Furnished) -> Finding:
-            there = [asset.name for asset in room.scene.assets if category_of(asset).name == kind]
+            there = [asset.name for asset in room.scene.assets if category_of(asset).name in kinds]
             return met(not there, f"{', '.join(there) or 'none'} there")
 
         return Unjudged(words, "refusal", f"no {noun}", judge)

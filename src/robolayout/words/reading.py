@@ -17,7 +17,7 @@ from robolayout.words._chunk import Chunk
 from robolayout.words._chunks import Chunker
 from robolayout.words._framed import framed
 from robolayout.words._kinds import settle_kinds
-from robolayout.words._lexicon import Lexicon, grammar
+from robolayout.words._lexicon import Lexicon, Noun, grammar
 from robolayout.words._parse import Parser
 from robolayout.words._reworded import reworded
 from robolayout.words._said import Link, Mention, NamedThing, Parsed, mentions, named, place_in, places
@@ -109,7 +109,13 @@ class Reading:
     @property
     def unwanted(self) -> frozenset[str]:
         """Kinds that must not be there."""
-        return frozenset(noun.kind for noun, _ in self.parsed.refused)
+        return frozenset(kind for noun, _ in self.parsed.refused for kind in (noun.kind, *self.refused(noun)))
+
+    def refused(self, noun: Noun) -> set[str]:
+        """Return further kinds that are refused with a noun: with chairs office chairs, but not what is asked for."""
+        asked = {kind for thing in self.parsed.things for kind in (thing.noun.kind, *thing.noun.others)}
+        alike = noun.said == noun.kind and not noun.guessed
+        return {kind for kind in noun.kinds if alike and kind.split()[1:] and kind.split()[-1] == noun.kind} - asked
 
     @property
     def airy(self) -> bool:
