@@ -436,7 +436,9 @@ class Relating(Spaces):
             self.holder, self.group, self.verb = subjects[:1], moved, False  # "flanked by a lamp on the left and ..."
             self._understood(chunk)
         elif moved and subjects:
-            full = not {"filled", "full", "stocked"}.isdisjoint(chunk.adjectives)
+            full = not {"filled", "full", "stocked", "containing", "contains", "holding", "holds"}.isdisjoint(
+                chunk.adjectives
+            )
             filled = full and subjects[0].thing.head == "bookshelf"
             named = Chunk("rel", chunk.start, chunk.end, "in" if filled else small.REVERSED[chunk.value])
             each = chunk.value == "holds" and subjects[0].det == "each"  # "each holding a lamp and a clock"

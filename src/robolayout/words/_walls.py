@@ -26,7 +26,7 @@ def walls_meant(room: Room, place: Place) -> list[Wall]:
     walls: list[Wall] = []
     for one in place.apart:
         meant = list(room.walls)
-        for word in one.words:
+        for word in sorted(one.words, key=lambda word: grammar().walls.get(word, "") not in COMPASS):
             meant = _told(meant, grammar().walls.get(word, word), room) or meant
         walls += [wall for wall in meant if wall not in walls]
     if place.by is None or place.by[1].name not in ("door", "window"):
