@@ -265,7 +265,7 @@ class Demander(InOrder):
             depth, width, _ = self._asset(b).size
             return ways_of.END_WALLS[relation == "end" and width >= depth][: 1 if relation == "foot" else 2]
         if relation in ("left", "right"):
-            if self._only_wall(b) or self._is(b, small.WATCHED):
+            if self._only_wall(b) or self._is(b, small.WATCHED | small.SCREENS):
                 relation = small.OTHER_SIDE[relation]  # as one sees it who looks at it
             (((how, least, most),),) = ways_of.TO_ANOTHER[relation]
             return (((how, least, max(most, self._told(a, b))),),)  # "a plant 2 m to the left of it"
