@@ -89,6 +89,7 @@ _ITEM = re.compile(
 _TOKEN = re.compile(
     rf"w/o\b|(?:twenty|{'|'.join(_TENS[:-1])})[- ](?:{_WORDS})\b"
     r"|(?:north|south|east|west)[- ]facing(?= (?:\w+ )?(?:window|door|wall))"
+    r"|[^\W\d_]+(?='s (?:size|dimensions|measurements|footprint|floor area|floor plan)\b)"  # "the bedroom's size is"
     r"|[a-z]+-(?:in|mounted|hung)\b|\d+(?:\.\d+)?|[^\W\d_]+(?:'[^\W\d_]+)*|[.;!?:\n]|,|[()&+]"
     r"|(?<=\S[ \t])[-\u2013](?= \D)|\u2014|(?<=\w)/(?=\w)|(?<= )/(?= )"
 )

@@ -380,7 +380,7 @@ def _place_named(chunks: Sequence[Chunk], words: Sequence[Token]) -> tuple[int, 
         said = _words(chunk, words)
         *more, last = said.split()
         last = more[-1] if last in ("interior", "room", "space") and more[-1:] and more[-1] in places else last
-        part = chunk.kind == "part" and not (chunk.value == "door" and last in places and chunk.det == "a")
+        part = chunk.kind == "part" and not (chunk.value == "door" and last in places and _furnished(chunks[i:]))
         if chunk.kind == "corner" and not said.endswith("space"):  # "an office space"
             return None
         other = part and (chunk.value not in ("room", "corner", "middle") or said == last)
@@ -392,13 +392,23 @@ def _place_named(chunks: Sequence[Chunk], words: Sequence[Token]) -> tuple[int, 
         wrong = other or listed or (chunk.number or 1) > 1 or follows not in small.AFTER_A_PLACE
         if wrong or not (last in places or unknown):
             return None
-        later = [before.kind for before, c in pairwise(chunks[i:]) if c.kind == "room" and c.value != "room"]
+        later = [
+            before.kind
+            for before, c in pairwise(chunks[i:])
+            if c.kind == "room" and c.value not in ("room", places.get(last))
+        ]
         if {*later} - {"with"}:  # not "a break room with a kitchenette"
             if chunk.noun is not None and chunk.noun.said == said and not chunk.noun.guessed:
                 return None  # "a breakfast bar with stools overlooking the living room"
             return i, Chunk("function", chunk.start, chunk.end, last)
         return i, Chunk("room", chunk.start, chunk.end, places.get(last, "room"), adjectives=chunk.adjectives)
     return None
+
+
+def _furnished(chunks: Sequence[Chunk]) -> bool:
+    """Return whether an entryway is a room: "an entryway", "the entryway is narrow", but not "the entryway is on the left"."""
+    follows = [chunk.kind for chunk in chunks[1:3]]
+    return chunks[0].det in ("a", "") or "rel" not in follows
 
 
 def _words(chunk: Chunk, words: Sequence[Token]) -> str:
