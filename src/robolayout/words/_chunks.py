@@ -180,7 +180,8 @@ class Chunker(ClosedWords):
         if not run:
             return Chunk("pron", at, i, "the two") if det == "the" and (number or 0) > 1 else None
         told = bool(det or number is not None or bound)
-        if not told and at and self.words[at - 1] in small.MODAL:
+        does = self._word(at - 1) in small.SPEAKING and self.lexicon.noun(run[:1]) is not None  # "where I paint"
+        if not told and (does or self._word(at - 1) in small.MODAL):
             return Chunk("filler", at, at + 1, run[0])
         chunk = self._named(at, i, run, told, (det, number, bound, rows))
         chunk = replace(chunk, total=total) if chunk and total else chunk
@@ -250,6 +251,7 @@ class Chunker(ClosedWords):
         word, known = self.words[i], bool(run) and self.lexicon.noun(run[-1:]) is not None
         if self._begins_relation(i):
             return True
+        known = known or run[-1:] in (["couple"], ["people"], ["persons"])  # "a couple renting a flat"
         if known and word.endswith("ing") and self.lexicon.noun([run[-1], word]) is None:
             return bool(self._word(i + 1)) and self.lexicon.noun(self.words[i : i + 2]) is None  # "a desk bearing"
         if word in ("left", "hanging", "standing", "built"):
@@ -265,6 +267,7 @@ class Chunker(ClosedWords):
         if word == "stand" and run and article in ("a", "an") and before not in small.JOINING:
             return False  # "on a keyboard stand"
         area = word in small.DONE_THERE and self._word(i + 1).removesuffix("s") in small.AREA_NOUNS  # "a sitting area"
+        area = area or f"{word} {self._word(i + 1)}" in self.lexicon.room_words  # "a sitting room"
         if area or (self.lexicon.noun(self.words[i : i + 2]) is not None and self._continues(i)):
             return False
         known = bool(run) and self.lexicon.noun([run[-1], word]) is not None
@@ -283,7 +286,7 @@ class Chunker(ClosedWords):
     def _named(self, at: int, i: int, run: list[str], told: bool, before: Before) -> Chunk | None:
         """Return what a run names; the longest end that is known says what, else what an article promises is a thing."""
         det, number, bound, rows = before
-        whole = told and not self._does(run)
+        whole = told and not self._does(run, i + len(run))
         if (
             owned := self._owned(at, i, run, before)
             or self._bedded(at, i, run, before)
@@ -297,7 +300,7 @@ class Chunker(ClosedWords):
             for start in range(end):
                 tail = run[start:end]
                 chunk = self._known(tail)
-                if chunk and end < len(run) and not whole and chunk[0] != "thing":
+                if chunk and end < len(run) and not told and chunk[0] != "thing":
                     continue  # "a sofa today"
                 if chunk and not (chunk[0] == "function" and start and self.lexicon.noun(run[start - 1 : start])):
                     kind, value, noun = chunk
@@ -355,9 +358,11 @@ class Chunker(ClosedWords):
             return None  # "wardrope on the left wall", "a dumbell rack"
         return Chunk("thing", at, i + len(run), "", noun, *before[:3], _plural(run[-1], noun), tuple(run[: odd[0]]))
 
-    def _does(self, run: list[str]) -> bool:
-        """Return whether the last word of a run is what the thing before it does: "the armchair makes", "armchairs join"."""
+    def _does(self, run: list[str], end: int) -> bool:
+        """Return whether the last word of a run is what the thing or place before it does: "the armchair makes", "armchairs join"."""
         noun = self.lexicon.noun(run[-2:-1]) if len(run) > 1 else None
+        if noun is None and self._leads(end):  # "this bedroom comprises a bed", but not "the kitchen utensils"
+            return len(run) > 1 and self._known(run[-2:-1]) is not None and _plural(run[-1], None)
         return noun is not None and run[-1].endswith("s") != _plural(run[-2], noun)
 
     def _known(self, tail: list[str]) -> tuple[str, str, Noun | None] | None:
@@ -388,7 +393,7 @@ class Chunker(ClosedWords):
         last, known = run[-1], self.grammar
         kinds = (known.styles, known.functions, known.fillers, known.sizes, known.walls)
         closed = any(last in words for words in (*kinds, small.COMPARING, small.NO_THINGS))
-        return not closed and len(last) > 2 and not last.endswith("ly")
+        return not closed and len(last) > 2 and not last.endswith(("ly", "wards"))
 
     def _single(self, at: int) -> Chunk:
         """Return a word that is part of nothing larger."""

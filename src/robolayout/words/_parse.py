@@ -320,6 +320,8 @@ class Parser(Relating):
             mention = self._mention(chunk)
             if mention.thing.category.on_object and not held[0].thing.category.on_object:
                 self.said.links.append(Link("on", (mention,), tuple(held), chunk.start, chunk.end))
+        elif strange and chunk.det == "a" and before in small.BEING:
+            self._fact(replace(chunk, kind="people", value="person"))  # "I am a painter"
         elif before == "for" and ((named and several and alone) or strange):
             self._fact(replace(chunk, kind="function"))  # "a rack for shoes", "a desk for the therapist"
         else:

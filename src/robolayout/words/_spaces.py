@@ -200,6 +200,8 @@ class Spaces(About):
             self.at += 1
             self.fronted, self.group = (Chunk("rel", chunk.start, follows.end, "on"), [wall]), []
             self._understood(chunk, follows)
+        elif (follows.kind, self._ahead(1).kind) == ("verb", "style"):  # "the walls are white"
+            self._understood(chunk)
         elif not coloured:
             self.said.missed.append(chunk)
 
