@@ -202,7 +202,8 @@ class Chunker(ClosedWords):
     def _before_noun(self, i: int, det: str, number: int | None) -> tuple[str, int | None, str, int, int] | None:
         """Return (article, number, bound, rows, length) of what stands before a noun here."""
         word, rest = self.words[i], self.words[i + 1 : i + 5]
-        that = word == "that" and rest[:1] in (["seats"], ["a"], ["an"])  # "next to that a lamp"
+        # "next to that a lamp", "a kitchen that opens to the hall"
+        that = word == "that" and bool(rest) and (rest[0] in ("a", "an") or _plural(rest[0], None))
         if that or i in self.measured or (word == "first" and self.lexicon.noun(self.words[i : i + 3])):
             return None  # "first aid kit"
         if rest[1:2] == ["of"] and rest[0] in small.SETS and word not in small.DETERMINERS and not count_of(word):
@@ -361,8 +362,9 @@ class Chunker(ClosedWords):
     def _does(self, run: list[str], end: int) -> bool:
         """Return whether the last word of a run is what the thing or place before it does: "the armchair makes", "armchairs join"."""
         noun = self.lexicon.noun(run[-2:-1]) if len(run) > 1 else None
-        if noun is None and self._leads(end):  # "this bedroom comprises a bed", but not "the kitchen utensils"
-            return len(run) > 1 and self._known(run[-2:-1]) is not None and _plural(run[-1], None)
+        # "this bedroom comprises a bed", but not "the kitchen utensils"
+        if noun is None and (self._leads(end) or self._word(end) in ("you", "us", "it", "them")):
+            return any(self._known(run[k:-1]) for k in range(len(run) - 1)) and _plural(run[-1], None)
         return noun is not None and run[-1].endswith("s") != _plural(run[-2], noun)
 
     def _known(self, tail: list[str]) -> tuple[str, str, Noun | None] | None:
