@@ -42,7 +42,7 @@ def rows(text: str) -> list[tuple[str, str]]:
         ("The room's dimensions are 4 m by 5 m. It is a bedroom with a bed.", {"bed": 1}, "dimension"),
         ("The hotel lobby welcomes guests with a reception desk and two sofas.", {"sofa": 2}, "welcome"),
         ("A library. The reading nook invites you with an armchair and a lamp.", {"armchair": 1}, "invite"),
-        ("A living room of two sofas where we watch films in the evening.", {"sofa": 2}, "evening"),
+        ("A living room with two sofas where we watch films in the evening.", {"sofa": 2}, "evening"),
         ("My kids do their homework at a desk under the window.", {"desk": 1}, "homework"),
         ("A living room with a door that opens onto the terrace.", {}, "open"),
         ("I dislike rugs. A bedroom with a bed.", {"rug": 0}, "dislike"),
