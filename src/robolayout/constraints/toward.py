@@ -12,7 +12,7 @@ from robolayout.scene import Layout, Scene
 
 @dataclass(frozen=True)
 class Toward(Relation):
-    """`a` stands on the `side` half of what it is on, `b`, as b sees it: "front", "back", "left" or "right"."""
+    """`a` stands on the `side` half of what it is on, `b`, as b sees it ("front", "back", "left", "right"), `off` m or more out."""
 
     name = "toward"
     example = 'solver.toward(monitor[0], desk[0], "back")'
@@ -20,6 +20,7 @@ class Toward(Relation):
     a: AssetRef = argument("asset")
     b: AssetRef = argument("asset")
     side: str = argument("text", choices=("front", "back", "left", "right"), default="back")
+    off: float = argument("number", unit="m", default=0.0)
 
     def terms(self, scene: Scene, near: Layout) -> tuple[Term, ...]:
         """Return one row in b's frame: the centre over that half of it."""
@@ -27,7 +28,7 @@ class Toward(Relation):
         return (FrameTerm(self.a, self.b, along=Interval(x0, x1), across=Interval(y0, y1)),)
 
     def check(self, scene: Scene, layout: Layout) -> Outcome:
-        """The centre at most 5 cm beside that half of b."""
+        """The centre at most 5 cm beside that half of b, or beside what of it is `off` m or more from the middle."""
         u, v = frame(scene, layout, self.b).seen(layout[self.a.name].at)
         x0, x1, y0, y1 = self._half(scene)
         off = max(0.0, x0 - u, u - x1, y0 - v, v - y1)
@@ -35,6 +36,6 @@ class Toward(Relation):
 
     def _half(self, scene: Scene) -> tuple[float, float, float, float]:
         """Return from where to where that half of b lies along its front and across, in metres."""
-        (hx, hy), side = half_size(scene, self.b), self.side
-        along = (0.0 if side == "front" else -hx, 0.0 if side == "back" else hx)
-        return (*along, 0.0 if side == "left" else -hy, 0.0 if side == "right" else hy)
+        (hx, hy), side, off = half_size(scene, self.b), self.side, self.off
+        along = (off if side == "front" else -hx, -off if side == "back" else hx)
+        return (*along, off if side == "left" else -hy, -off if side == "right" else hy)

@@ -67,7 +67,7 @@ def hang(site: Site, names: Sequence[str], rng: np.random.Generator) -> None:
             over.setdefault(below, []).append(name)
     hung = {name for below, row in over.items() if _hang_over(site, below, row) for name in row}
     rest = [name for name in names if name not in hung]
-    if not _hang_before(site, rest):
+    if not (_hang_lined(site, rest) or _hang_before(site, rest)):
         for name in rest:
             _hang(site, name, rng)
 
@@ -96,6 +96,31 @@ def _hang_over(site: Site, below: str, names: Sequence[str]) -> bool:
     middle = (span.rect[0] + span.rect[2]) / 2
     places = [(site.room.walls[span.wall], middle + shift, HANGING.shifted * abs(shift)) for shift in shifts]
     return pitch > wide and _hang_row(site, names, pitch, places)
+
+
+def _hang_lined(site: Site, names: Sequence[str]) -> bool:
+    """Hang things in the one row that is demanded of them, so far apart, at one height; False where none is or no wall has room for it."""
+    row = site.wants[names[0]].rows if len(names) > 1 else None
+    if row is None or row.rows != 1 or {*row.asset_names()} != {*names}:
+        return False
+    wide = max(site.size(name)[1] for name in names)
+    first, half = (
+        (wide + row.gap) * (1 - len(names)) / 2,
+        (wide * len(names) + row.gap * (len(names) - 1)) / 2 + WALL_GAP,
+    )
+    places = list[tuple[Wall, float, float]]()
+    for wall in site.room.walls:
+        for t in {wall.length / 2, *np.arange(half, wall.length - half, HANGING.step).tolist()}:
+            pose = (*wall.point(t + first, site.size(names[0])[0] / 2 + WALL_GAP / 2), wall_yaw(wall))
+            missed = float(site.missed([Member(names[0])], np.array([pose]))[0])
+            places += [(wall, t, missed)] * (half <= t <= wall.length - half)
+    if not _hang_row(site, names, wide + row.gap, places):
+        return False
+    top = max(site.spots[name].member.bottom for name in names)
+    for name in names:
+        spot = site.spots[name]
+        site.spots[name] = replace(spot, member=replace(spot.member, bottom=top))
+    return True
 
 
 def _hang_before(site: Site, names: Sequence[str]) -> bool:
@@ -175,6 +200,8 @@ def _hang_offsets(site: Site, name: str, wall: Wall) -> list[float]:
     low, high = width / 2 + WALL_GAP - 1e-6, wall.length - width / 2 - WALL_GAP + 1e-6
     marks = [wall.length / 2, *np.arange(low + 0.04, high, HANGING.step)]
     marks += [(span.rect[0] + span.rect[2]) / 2 for span in site.spans if span.wall == wall.index]
+    if site.wants[name].height > 0.0:  # as "a clock above the door"
+        marks += [opening.center for opening in (*site.room.doors, *site.room.windows) if opening.wall == wall.index]
     marks += [window.center for window in _dressed(site, name, wall)]
     marks += [wall.place((one.x, one.y))[0] for one in _tier_below(site, name)]
     return sorted({round(float(t), 3) for t in marks if low <= t <= high})

@@ -19,6 +19,9 @@ AMID = 0.1
 ROUNDED = 1.08
 """How far out the corner of a thing on an oval may be, of the way to its edge: most things there are round themselves."""
 
+ENDS = {"left end": 0.95, "right end": -0.95}
+"""Share of the way from the middle to an end of a top at which stands what is said to be there."""
+
 HAND = 0.32
 """Metres from the middle of a desk to where a right hand lies beside the keyboard, for who sits before its front."""
 
@@ -55,7 +58,8 @@ class Top:
     def put(self, items: Sequence[tuple[str, str, Member | None]]) -> list[Member]:
         """Place things given as (name, where, whose seat it is laid for) and return them."""
         found: list[Member] = []
-        in_line = {} if self.faced else self._in_line(items)
+        ends = any(at in ENDS for _, at, _ in items)
+        in_line = {} if self.faced or ends else self._in_line(items)
         for i, (name, at, seat) in enumerate(items):
             if seat is not None:
                 member = self._at_seat(name, at, seat)
@@ -139,7 +143,7 @@ class Top:
         hx, hy = (width / 2, depth / 2) if turned else (depth / 2, width / 2)
         rx, ry = max(self.half[0] - hx, 0.0), max(self.half[1] - hy, 0.0)
         wx, wy = self._wanted(at, i, count, (rx, ry))
-        if count > 1 and ry / count < hy + MARGIN / 2:
+        if at not in ENDS and count > 1 and ry / count < hy + MARGIN / 2:
             wy = ry * (2 * i / (count - 1) - 1)  # from end to end: halves would leave too little room
         wx += max(0.0, hx - self.half[0])
         xs = [-rx + k * STEP for k in range(int(2 * rx / STEP) + 1)] + [wx]
@@ -158,6 +162,8 @@ class Top:
         y = 0.0 if count == 1 else ry * (2 * (i + 0.5) / count - 1)
         if at == "middle":
             return (0.0, AMID * (i - (count - 1) / 2))
+        if at in ENDS:
+            return (0.0, ENDS[at] * ry)
         if at == "back":
             return (-rx if self.faced else max(-rx, rx - self.reach), y)
         if at == "front":

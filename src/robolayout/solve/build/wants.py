@@ -390,7 +390,7 @@ class _Gathered:
             other = one.relation.b if isinstance(one.relation, InFrontOf | DistanceConstraint) else None
             if isinstance(other, AssetRef) and other != carrier and self.scene.by_name[other.name].on_floor:
                 return Joining("setting", at=self._place(), seat=other.name)
-        halves = sorted(one.side for one, _ in self._all(Toward))
+        halves = sorted(f"{one.side} end" if one.off > 0 else one.side for one, _ in self._all(Toward))
         middle = any(one.b == carrier for one, wish in self._all(CenteredOn) if wish is None)
         return Joining("on", yaw=self._turned(carrier), at="middle" if middle else " ".join(halves))
 
