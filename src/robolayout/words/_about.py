@@ -99,7 +99,7 @@ class About(References):
         own |= {m.thing for k in self._here if k.relation == "with" and named(k.objects) & own for m in k.subjects}
         if word.value == "it" and self.opening is not None and {m.thing for m in self.recent} <= own:
             return self.opening  # "The window is in the north wall. Under it is a desk with a chair."
-        told = self.said.last.relation == "flank" or (chunk.value, self.said.last.relation) == ("far", "near")
+        told = self.said.last.relation == "flank" or (chunk.value[:3], self.said.last.relation) == ("far", "near")
         if word.value == "it" and told and (place := place_in(self.said.last.objects, "door", "window")):
             return place  # "the fridge close to the door and the stove far from it"; what flanks a window is no "it"
         opening = opening_before(self.chunks[: self.at - 2]) if word.value == "it" and chunk.value != "on" else None

@@ -205,18 +205,17 @@ class AtSides(HowFar):
         """A free disc on which the body turns: before one of the larger things, or all around the middle of the room."""
         wide, near = it.metres[0], tuple(self._points(it.place))
         within = max(ways_of.LEAST_MIDDLE, wide / 2) if near else 0.0
+        disc = FreeDisc(wide, near, within)
         if it.place is not None and it.place.name in ("middle", "room"):
-            yield from self._open(replace(it, metres=(wide / 2, wide / 2)))
+            x0, y0, x1, y1 = self.room.bounds
+            turned = wide <= ways_of.TURNED_IN  # no "3 x 3 m free area in the middle"
+            spare = min(x1 - x0, y1 - y0) / 2 - ways_of.DEEP  # the disc may be aside where the room is small
+            half = min(max(ways_of.LEAST_DISC * wide, spare), wide / 2) if turned else wide / 2
+            around = self._open(replace(it, metres=(half, half)))
+            yield from (replace(demand, exact=disc if turned else None) for demand in around)
         fronts = sorted(it.subjects, key=lambda a: -self._asset(a).size[1])
         ways = tuple((stated("keep_clear", AssetRef(a), "front", wide),) for a in fronts)
-        yield Demand(ways, FreeDisc(wide, near, within))
-
-    def _far(self, it: Asked) -> Iterator[Demand]:
-        x0, y0, x1, y1 = self.room.bounds
-        least = round(max(ways_of.LEAST_FAR, ways_of.FAR_SHARE * max(x1 - x0, y1 - y0)), 2)
-        to = [(a, point) for a in it.subjects for place in it.places for point in self._points(place)]
-        for a, b in (*to, *((a, AssetRef(b)) for a in it.subjects for b in it.others if a != b)):
-            yield single(stated("distance_constraint", AssetRef(a), b, least))
+        yield Demand(ways, disc)
 
     def _not_turned(self, it: Asked, back: float) -> Iterator[Demand]:
         """Not looking at a thing, a wall, or the wall of a door or window, or not with its back to it: turned by a right angle or two."""

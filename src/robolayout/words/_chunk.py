@@ -76,6 +76,8 @@ class Chunk:
     def sided(self) -> str:
         """At which sides of a table seats are: "four chairs on each long side", "one at each end", "a bench on one long side"."""
         words = {*self.adjectives}
+        if {"exact", "even"} & words:  # "in the exact middle of the room", "in an even row along the wall"
+            return "exact"
         if "outer" in words:  # "on the outer sides of" two beds side by side
             return "outer"
         each = not words.isdisjoint(("each", "either", "both", "opposite", "opposing", "sides", "ends"))

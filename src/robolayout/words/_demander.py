@@ -114,7 +114,8 @@ class Demander(InOrder):
             return tuple(self._chained(it, relation))
         if relation in ways_of.BY_TWOS:
             return tuple(self._by_twos(it, relation))
-        of_all, of_two = (getattr(self, f"_{relation}{end}", None) for end in ("", "_each"))
+        name = relation.replace(" ", "_")
+        of_all, of_two = (getattr(self, f"_{name}{end}", None) for end in ("", "_each"))
         found = [*self._there(relation, it), *(of_all(it) if of_all else ())]
         if relation in ways_of.TO_ANOTHER:
             found += (by_ways(self._ways(relation, a, b), a, b) for a, b in self._to_another(relation, it))
@@ -149,6 +150,12 @@ class Demander(InOrder):
             found = [tuple(self._ways_turned(a, it.place, relation)) for a in it.subjects]
             yield from (Demand(ways) for ways in found if ways)
             return
+        if relation == "above" and it.place.name in ("window", "door"):
+            over = {
+                a: tuple(self._ways_over(a, it.place, len(it.subjects))) for a in it.subjects if self._hangs_over(a)
+            }
+            yield from (Demand(ways) for ways in over.values() if ways)
+            it = replace(it, subjects=[a for a in it.subjects if not over.get(a)])
         on, share = relation in ("on", "wall", "hanging"), len(it.subjects) > 1 and relation != "flank"
         share = share or not self.manned.isdisjoint(it.subjects)  # somebody sits between
         along = relation == "wall" and len(it.subjects) == 1  # "a bar along the window"
@@ -222,10 +229,15 @@ class Demander(InOrder):
         if self._opposed(it.subjects) and (before := self._front(it)):
             yield from before  # "two armchairs flanking a fireplace, facing each other"
             return
-        by: dict[str, list[str]] = {}
+        by, on = dict[str, list[str]](), dict[str, list[str]]()
         for a, b in it.twos:
             if self._is(b, small.BEARING) and self._asset(a).on_object and not self._asset(a).on_floor:
+                end = (
+                    self._right_half_each(a, b) if len(ends := on.setdefault(b, [])) % 2 else self._left_half_each(a, b)
+                )
+                ends.append(a)
                 yield self._on_each(a, b)
+                yield from [end] * (len(it.twos) > len({b for _, b in it.twos}))
             else:
                 by.setdefault(b, []).append(a)
         for b, items in by.items():
@@ -244,10 +256,11 @@ class Demander(InOrder):
         for a, b in it.twos:
             gap = max(self._told(a, b), ways_of.BACK_WALL if self._only_wall(a) else ways_of.BACK)
             sat_on = self._is(a, ("chair", "stool")) and not self._is(a, ("armchair",))
-            past = (0.0, gap) if sat_on or self._only_wall(a) else ways_of.PAST_A_SEAT
+            seated = self._sits_behind(a, b)
+            low = -ways_of.BESIDE if seated and sat_on else 0.0  # it may be under the desk
+            past = (low, gap) if sat_on or self._only_wall(a) else ways_of.PAST_A_SEAT
             back = stated("behind", AssetRef(a), AssetRef(b), 0.0, gap)
             used = stated("in_front_of", AssetRef(a), AssetRef(b), *past)
-            seated = self._sits_behind(a, b)
             taught = self._is(b, ("teacher desk",)) and self._is(a, small.BOARDS)
             demand = single(*([used] if b in self.looking or taught else [used, back] if seated else [back]))
             yield self._or_abreast(a, last.get(b), demand)
@@ -417,6 +430,9 @@ class Demander(InOrder):
                 stated("near", AssetRef(a), end, ways_of.ACROSS if far else self._within(a, end)) for end in (one, two)
             )
             yield Demand((near,), BetweenTwo(AssetRef(a), one, two))
+            beds = all(isinstance(end, AssetRef) and self._is(end.name, small.SLEPT_ON) for end in (one, two))
+            if beds and self._is(a, ("night stand",)) and not self.parted & {*it.others}:  # by their heads
+                yield single(stated("against_wall", AssetRef(a)))
 
     def _middle_each(self, a: str, b: str) -> Demand:
         if not (self._asset(a).on_object or self._asset(b).is_flat):

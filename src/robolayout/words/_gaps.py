@@ -5,16 +5,19 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping, Sequence, Set
 from dataclasses import replace
+from functools import partialmethod
 from itertools import pairwise, product
 
+from robolayout.assets import category_of
 from robolayout.constraints import AssetRef, PointRef, Relation, WallRef
 from robolayout.scene import ROUNDING
 from robolayout.words import _function_words as small
 from robolayout.words import _ways as ways_of
 from robolayout.words._places import Asked, AtPlaces
 from robolayout.words._rows import alike, in_rows
-from robolayout.words._walls import walls_meant
-from robolayout.words.demands import Demand, EdgeGap, Way, stated
+from robolayout.words._said import Place
+from robolayout.words._walls import openings_meant, walls_meant
+from robolayout.words.demands import Demand, EdgeGap, Way, single, stated
 
 
 class HowFar(AtPlaces):
@@ -117,3 +120,52 @@ class HowFar(AtPlaces):
         depth, width, _ = self._asset(ref.name).size
         for angle in (90.0, 270.0, 0.0, 180.0):
             yield (angle, depth / 2, width / 2) if angle in (90.0, 270.0) else (angle, width / 2, depth / 2)
+
+    def _far(self, it: Asked) -> Iterator[Demand]:
+        x0, y0, x1, y1 = self.room.bounds
+        least = round(max(ways_of.LEAST_FAR, ways_of.FAR_SHARE * max(x1 - x0, y1 - y0)), 2)
+        to = [(a, point) for a in it.subjects for place in it.places for point in self._points(place)]
+        for a, b in (*to, *((a, AssetRef(b)) for a in it.subjects for b in it.others if a != b)):
+            yield single(stated("distance_constraint", AssetRef(a), b, least))
+
+    def _farthest(self, it: Asked) -> Iterator[Demand]:
+        """As far from a thing as at least one corner of the room is, wherever that thing stands."""
+        x0, y0, x1, y1 = self.room.bounds
+        for a in it.subjects:
+            least = max(ways_of.LEAST_FAR, (math.hypot(x1 - x0, y1 - y0) - math.hypot(*self._asset(a).size[:2])) / 2)
+            points = (point for place in it.places for point in self._points(place))
+            for b in (*points, *(AssetRef(b) for b in it.others if a != b)):
+                yield single(stated("distance_constraint", AssetRef(a), b, round(least, 2)))
+
+    def _end_of_a_top(self, side: str, a: str, b: str) -> Demand:
+        """At one end of a top, as who sits at it has it on the left or right; at any of both if no side is said."""
+        wide, own = self._asset(b).size[1], self._asset(a).size[1]
+        off = round(max(min(ways_of.END_OF_A_TOP * wide, (wide - own) / 2), 0.0), 3)
+        way, other = ((stated("toward", AssetRef(a), AssetRef(b), end, off),) for end in (side or "left", "right"))
+        return Demand((way,), also=() if side else (other,))
+
+    _left_half_each = partialmethod(_end_of_a_top, "right")
+    _right_half_each = partialmethod(_end_of_a_top, "left")
+    _end_half_each = partialmethod(_end_of_a_top, "")
+
+    def _hangs_over(self, a: str) -> bool:
+        """Return whether a thing hangs above an opening where it is said to be: no curtain, which hangs before a window."""
+        asset = self._asset(a)
+        return asset.on_wall and not asset.on_floor and not category_of(asset).dresses_windows
+
+    def _ways_over(self, a: str, place: Place, many: int) -> Iterator[Way]:
+        """Yield the ways in which what hangs on walls is over the middle of a door or window, where the wall goes on there."""
+        half, aside = self._asset(a).size[2] / 2, self._asset(a).size[1] * (many - 1) / 2  # "two signs above the door"
+        for opening, point in zip(openings_meant(self.room, place), self._points(place), strict=True):
+            low, high = opening.sill + opening.height + half, self.room.wall_height - half
+            if low + ways_of.OVER[0] < high:
+                hung = stated(
+                    "mounted_on", AssetRef(a), WallRef(opening.wall), round(min(low + ways_of.OVER[1], high), 2)
+                )
+                yield (hung, stated("distance_constraint", AssetRef(a), point, None, round(ways_of.OVER[2] + aside, 2)))
+
+    def _lit(self, it: Asked) -> Iterator[Demand]:
+        """In daylight: not far from a window."""
+        windows = self._points(Place("window"))
+        for a in it.subjects if windows else ():
+            yield single(*(stated("near", AssetRef(a), point, ways_of.DAYLIGHT) for point in windows))

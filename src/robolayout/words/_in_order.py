@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Mapping, Sequence, Set
 from itertools import pairwise
 
@@ -60,11 +61,26 @@ class InOrder(AtSides):
         if alike(self.scene, it.subjects) and not self.told.flanked & {*it.subjects}:
             yield self.told.block(it.subjects)
             return
+        hung = all(map(self._only_wall, it.subjects)) and len({self._asset(a).size for a in it.subjects}) == 1
+        if hung and it.sided == "exact":  # "evenly spaced along the west wall"
+            yield in_rows(it.subjects, 1, gap=self._even_gap(it.subjects))
+            return
         if not any(self._asset(a).on_floor for a in it.subjects):
             yield from self._huddle(it)
         for before, a in pairwise(it.subjects):
             if self._asset(a).on_floor:
                 yield by_ways(((("next_to", "beside", ways_of.BACK), ("align_with",)),), a, before)
+
+    def _even_gap(self, names: Sequence[str]) -> float:
+        """Return how many metres lie between things that are spread over the longest stretch of their wall without a door or window."""
+        walls = [self.room.walls[self.hung[a]] for a in names if a in self.hung]
+        if not walls:
+            return 0.0
+        there = [o for o in (*self.room.doors, *self.room.windows) if o.wall == walls[0].index]
+        ends = sorted((0.0, walls[0].length, *(end for o in there for end in (o.offset, o.offset + o.width))))
+        longest = max(after - before for before, after in zip(ends[::2], ends[1::2], strict=True))
+        wide = sum(self._asset(a).size[1] for a in names)
+        return math.floor(max(0.0, longest - wide) / (len(names) + 1) * 20) / 20
 
     def _chained(self, it: Asked, relation: str) -> Iterator[Demand]:
         """Each to the one before it; mats side by side are a row, which nothing else keeps from lying on each other."""

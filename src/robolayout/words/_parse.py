@@ -15,7 +15,13 @@ from robolayout.words._chunk import ROWS, SOME, Chunk
 from robolayout.words._leftover import leftover
 from robolayout.words._relations import Relating
 from robolayout.words._said import Link, Mention, NamedThing, Parsed, Place, mentions, place_in, place_of
-from robolayout.words._tokens import count_of
+from robolayout.words._tokens import ROOMS, Measure, count_of
+
+LIKELY = (0.5, 1.6)
+"""Least and most by which a thing differs from usual whose size is said after it, where the room could be meant as well."""
+
+SIDES = ("long", "wide", "deep", "across", "diagonal")
+"""Measures that are of one side of a thing."""
 
 
 class Parser(Relating):
@@ -103,11 +109,15 @@ class Parser(Relating):
         before = self.chunks[: self.at - 1]
         while before and (before[-1].kind in ("filler", "verb", "pron", "and", "measure") or before[-1].value == "("):
             before.pop()
+        apposed = before[-1:] != [] and before[-1].kind == "comma"
+        while apposed and before and before[-1].kind in ("comma", "filler"):  # "a table for four, 1.4 by 0.8 m"
+            before.pop()
         spans = [(before[-1].start, before[-1].end)] if before and before[-1].kind == "thing" else []
         thing = next((thing for thing in self.said.things if thing.spans[-1:] == spans), None)
+        own = thing is not None and (not apposed or self._its_own(thing, chunk.measure))
         if thing is not None and chunk.measure.kind == "length" and self._ahead().kind == "rel":
             self.gap = chunk  # "a table 40 cm in front of the sofa"
-        elif thing is not None and chunk.measure.fits(thing.category.size):
+        elif thing is not None and own and chunk.measure.fits(thing.category.size):
             thing.sizes.append(chunk.measure)
             self._understood(chunk)
         elif chunk.measure.kind in ("size", "area", "height", "grid"):
@@ -115,6 +125,19 @@ class Parser(Relating):
             self._fact(chunk)
         else:
             self.said.missed.append(chunk)
+
+    def _its_own(self, thing: NamedThing, measure: Measure) -> bool:
+        """Return whether a measure after a thing and a comma is of that, not of the room: "a desk, 1.6 by 0.8 m, stands ..."."""
+        before = self.chunks[: self.at - 1]
+        if any(c.kind == "pron" for c in takewhile(lambda c: c.kind != "comma", reversed(before))):
+            return True  # "three bookcases, all of them 2 m tall"
+        if measure.kind not in ROOMS:
+            return measure.kind in SIDES and self._ahead().kind not in ("thing", "part")
+        usual = thing.category.size
+        likely = all(LIKELY[0] <= new / old <= LIKELY[1] for new, old in zip(measure.on(usual), usual, strict=True))
+        told = any(c.measure and c.measure.kind == measure.kind and c.measure != measure for c in self.chunks)
+        after = self._ahead(self._ahead().kind == "comma").kind in ("verb", "rel")
+        return min(measure.values) < ROOMS[measure.kind][0] or likely or told or after
 
     def _deal(self, share: int, index: int) -> None:
         """Let so many of the things named last be what the relation there is about: "two at one wall and two at the other"."""
@@ -125,6 +148,9 @@ class Parser(Relating):
         sides = max((thing.sides for thing in self.said.things if thing.has_sides), default=2)
         many = share * sides if at_sides else share
         last = (self.group or self.before)[-1:]
+        many *= (
+            last[0].thing.times if at_sides and last else 1
+        )  # "two tables, each with six chairs, three on each side"
         begins = "comma" if last and share > last[0].thing.count else "and"  # "two at the ends, four at the sides"
         more = self.chunks[self.at - 2].kind == begins and last == self.acted and last[:1] and last[0].pick is None
         told = (last[0].thing.number or int(last[0].thing.count == 1)) if more else 0
@@ -304,21 +330,26 @@ class Parser(Relating):
         several, strange = chunk.plural or noun.words.endswith("s"), noun.kind.startswith("unknown")
         alone, named = not chunk.det and chunk.number is None, self.group or self._ahead(-3).kind == "room"
         aid = small.AIDS.get(noun.said if noun.guessed and not self.group else noun.kind)
-        held = self.group[-1:] if alone and self._ahead(-3).kind == "thing" else []
+        held = self.group[-1:] if self._ahead(-3).kind == "thing" and not chunk.det else []
+        held = held if alone or (before == "of" and held and held[0].thing.head in small.CONTAINERS) else []
+        narrow = bool(held) and held[0].thing.head in small.NARROW
         alike = bool(held) and noun.kind == held[0].thing.noun.kind
         if self.refusing and not (self.negated and chunk.det == "the"):
             self.said.refused.append((noun, (chunk.start, chunk.end)))
             self.refusing = before not in small.INSTEAD  # "instead of a bathtub a shower"
         elif aid and (before in small.USING or self._ahead().value in small.ABLE):
             self._fact(Chunk("body", chunk.start, chunk.end, aid))
-        elif alike and (before == "of" or self._ahead(-2).kind == "with"):
-            self._fact(replace(chunk, kind="function"))  # "a bottle of detergent", "a vase with flowers"
+        elif (alike or narrow) and (before == "of" or self._ahead(-2).kind == "with"):
+            self._fact(
+                replace(chunk, kind="function")
+            )  # "a bottle of detergent", "a vase with flowers", "a jar of brushes"
         elif held and before == "of" and noun.kind.split()[-1] == held[0].thing.head:
             held[0].thing.noun = noun  # "a box of tissues" is a tissue box
             self._understood(chunk)
         elif held and before == "of":  # "a rack of dumbbells"
             mention = self._mention(chunk)
-            if mention.thing.category.on_object and not held[0].thing.category.on_object:
+            container = held[0].thing.head in small.CONTAINERS or not held[0].thing.category.on_object
+            if mention.thing.category.on_object and container:
                 self.said.links.append(Link("on", (mention,), tuple(held), chunk.start, chunk.end))
         elif strange and chunk.det == "a" and before in small.BEING:
             self._fact(replace(chunk, kind="people", value="person"))  # "I am a painter"

@@ -248,7 +248,8 @@ class AtPlaces:
         elif place.name == "middle":
             x0, y0, x1, y1 = self.room.bounds
             most = max(ways_of.LEAST_MIDDLE, ways_of.MIDDLE_SHARE * min(x1 - x0, y1 - y0)) * wider
-            yield (stated("distance_constraint", ref, PointRef(*centre(self.room)), None, round(most, 2)),)
+            most = ways_of.EXACT if "exact" in place.words else round(most, 2)
+            yield (stated("distance_constraint", ref, PointRef(*centre(self.room)), None, most),)
         elif place.name == "side":
             yield from self._ways_on_a_side(a, place)
 
@@ -421,12 +422,6 @@ class AtPlaces:
         for a in it.subjects:
             yield single(*(stated("align_with", AssetRef(a), WallRef(0), angle) for angle in ways_of.ASKEW))
 
-    def _lit(self, it: Asked) -> Iterator[Demand]:
-        """In daylight: not far from a window."""
-        windows = self._points(Place("window"))
-        for a in it.subjects if windows else ():
-            yield single(*(stated("near", AssetRef(a), point, ways_of.DAYLIGHT) for point in windows))
-
     def _open(self, it: Asked) -> Iterator[Demand]:
         """The middle of the room stays free: each thing stands in one of the four strips around it."""
         x0, y0, x1, y1 = self.room.bounds
@@ -443,7 +438,7 @@ class AtPlaces:
         if it.place is not None and it.place.name == "wall":
             yield from self._at_place(it.subjects, replace(it.place, words=(*it.place.words, "middle")))
         elif not it.others:
-            yield from self._at_place(it.subjects, Place("middle"), share=len(it.subjects) > 1)
+            yield from self._at_place(it.subjects, Place("middle", (it.sided,)), share=len(it.subjects) > 1)
 
     def _atwalls(self, it: Asked) -> Iterator[Demand]:
         if it.place is not None:

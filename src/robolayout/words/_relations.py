@@ -249,10 +249,7 @@ class Relating(Spaces):
         if chunk.value == "between":  # "1 m between the bed and the wardrobe"
             chunk, subjects = replace(chunk, value="apart"), mentions(objects)[:1]
             objects = [item for item in objects if item not in subjects]
-        if top := self._on_what(chunk, subjects, objects):
-            half = (f"{chunk.value} half", tuple(subjects), tuple(top), chunk.start, chunk.end)
-            self.said.links += [Link(*half)] * (chunk.value != "middle")
-            chunk, objects = replace(chunk, value="on"), top
+        chunk, objects = self._on_a_top(chunk, subjects, objects)
         if not objects and self._between_two(chunk, last):
             chunk, subjects, objects = replace(chunk, value="in"), self.holder, [Place("side", (chunk.value,))]
             self.holder = []
@@ -275,24 +272,6 @@ class Relating(Spaces):
         """Return whether two things are on a side of the room with what is between them: "chairs with a table between them on the left"."""
         held = self.having and last.relation == "amid" and named(last.objects) == named(self.holder)
         return held and chunk.value in ("left", "right")
-
-    def _on_what(self, chunk: Chunk, subjects: Sequence[Mention], objects: Sequence[Item]) -> list[Item]:
-        """Return the top whose left, right or middle is meant: "a desk with a lamp on the left and a computer in the middle".
-
-        What can stand nowhere but on something is on what it is said to be to the left of: "a vise at the right end of the bench".
-        """
-        if objects:
-            tops = [one for one in mentions(objects) if one.thing.head in (*small.TOPS, *small.BEARING, "workbench")]
-            only = [one for one in subjects if one.thing.places == ("object",) and not one.thing.noun.others]
-            there = chunk.value in ("left", "right") and chunk.det != "its" and len(only) == len(subjects) > 0
-            return [*tops] if there else []
-        here = self._here
-        halved = any(link.relation.endswith(" half") for link in here)
-        before = here[-1].objects if here and here[-1].relation == "on" else ()
-        last = self.holder if self.having else self.every[0] if self.every else mentions(before)
-        top = [m for m in last if m.thing.head in (*small.TOPS, "workbench")]
-        sided = chunk.value in ("left", "right") or (chunk.value == "middle" and halved)
-        return [*top] if sided and subjects and all(m.thing.category.on_object for m in subjects) else []
 
     def _as_many(self, chunk: Chunk, subjects: Sequence[Mention], objects: Sequence[Item], *, every: bool) -> None:
         """Count what each of some things has: "each facing a mirror", "four chairs facing mirrors"."""
@@ -350,6 +329,7 @@ class Relating(Spaces):
         elif subjects:
             subjects = self._listed_with(chunk.value, subjects, objects)
             objects = self._across_the_room(objects)
+            self._across_from_its_wall(chunk, subjects, objects)
             there = self._walls(subjects, place) if (place := place_in(objects[:1])) else []
             subjects = subjects if there or place is None else self._at_a_place(chunk, subjects, place)
             self._link(replace(chunk, value="atwalls") if there else chunk, subjects, [*objects, *there])

@@ -168,6 +168,7 @@ class ToldRows:
         turned, amid = self.turned.get(names[0], "alike"), names[0] in self.flanked
         gap, aisle = self.gap.get(names[0], 0.0), self.aisle.get(names[0], 0.0)
         count = self.count.get(names[0])
+        gap, aisle = (max(gap, aisle), 0.0) if count == 1 else (gap, aisle)  # "in a row, 1.2 m apart"
         others = [k for k in range(2, len(names) // 2 + 1) if k != count] if names[0] in self.uncounted else []
         ways = [(k, turned) for k in (count, *others)]
         if self.scene.by_name[names[0]].category.endswith((*small.SLEPT_ON,)):

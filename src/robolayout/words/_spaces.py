@@ -14,6 +14,12 @@ from robolayout.words._lexicon import grammar
 from robolayout.words._said import Item, Link, Mention, Place, mentions, place_in, place_of, sides
 from robolayout.words._ways import CROWD, KEPT_OFF, MIDDLE_AISLE
 
+ENDS_OF_TOPS = {"leftend": "left", "rightend": "right"}
+"""Relations to the ends of a thing, by those to its sides that they are where nothing lies on it."""
+
+BEARERS = frozenset((*small.TOPS, *small.BEARING, "workbench"))
+"""Last words of what has a top."""
+
 
 class Spaces(About):
     """Reads what is free or parts things, and what walls, doors and windows are said to be like or to have."""
@@ -219,3 +225,45 @@ class Spaces(About):
             return None
         self.at += more + 1
         return Place("wall", by=(how, place_of(at))) if across else self._which_wall(place_of(at))
+
+    def _on_a_top(self, chunk: Chunk, subjects: Sequence[Mention], objects: list[Item]) -> tuple[Chunk, list[Item]]:
+        """Return how and on what things stand that are said to be at an end, on one side or in the middle of a top; else what is given."""
+        laid, top = False, list[Item]()
+        if chunk.value in ENDS_OF_TOPS:  # "a lamp at the right end of the desk"
+            top = [m for m in mentions(objects) if m.thing.head in BEARERS]
+            laid = bool(top) and all(m.thing.category.on_object for m in subjects)
+            chunk = replace(chunk, value=ENDS_OF_TOPS[chunk.value])
+        top = top if laid else self._on_what(chunk, subjects, objects)
+        half = (f"{chunk.value} half", tuple(subjects), tuple(top), chunk.start, chunk.end)
+        self.said.links += [Link(*half)] * bool(top and chunk.value != "middle")
+        return (replace(chunk, value="on"), top) if top else (chunk, objects)
+
+    def _on_what(self, chunk: Chunk, subjects: Sequence[Mention], objects: Sequence[Item]) -> list[Item]:
+        """Return the top whose left, right or middle is meant: "a desk with a lamp on the left and a computer in the middle".
+
+        What can stand nowhere but on something is on what it is said to be to the left of: "a vise at the right end of the bench".
+        """
+        if objects:
+            tops = [one for one in mentions(objects) if one.thing.head in BEARERS]
+            only = [one for one in subjects if one.thing.places == ("object",) and not one.thing.noun.others]
+            there = chunk.value in ("left", "right") and chunk.det != "its" and len(only) == len(subjects) > 0
+            may = all(m.thing.category.on_object and "wall" not in m.thing.places for m in subjects)
+            may = may and all(m.thing.noun.said not in small.LIGHTS for m in subjects)
+            return [*tops] if there or (chunk.value == "end" and subjects and may) else []
+        here = self._here
+        halved = any(link.relation.endswith(" half") for link in here)
+        before = here[-1].objects if here and here[-1].relation == "on" else ()
+        last = self.holder if self.having else self.every[0] if self.every else mentions(before)
+        top = [m for m in last if m.thing.head in BEARERS]
+        sided = chunk.value in ("left", "right") or (chunk.value == "middle" and halved)
+        return [*top] if sided and subjects and all(m.thing.category.on_object for m in subjects) else []
+
+    def _across_from_its_wall(self, chunk: Chunk, subjects: Sequence[Mention], objects: Sequence[Item]) -> None:
+        """Note that things are at the wall across from that of others: "a dresser is against the wall opposite the beds"."""
+        last, to = self.said.last, mentions(objects)
+        wall = place_in(last.objects[:1], "wall")
+        told = wall is None or wall.words or wall.by or wall.plural or chunk.start - last.end > len(("the", "wall"))
+        walled = all((one.walled and not one.sat_on) or one.thing.head in small.SLEPT_ON for one in to)
+        if chunk.value == "opposite" and to and walled and not told and list(last.subjects) == list(subjects):
+            across = Place("wall", ("opposite",))
+            self.said.links[-1] = replace(last, relation="atwalls", objects=(across, *to))

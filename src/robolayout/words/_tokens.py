@@ -123,7 +123,8 @@ class Measure:
             return (*((high, low) if depth > width else (low, high)), (*self.values, height)[2])
         if self.kind == "diagonal":  # of a screen of 16 to 9
             return depth, round(0.87 * self.values[0], 3), round(0.49 * self.values[0], 3)
-        longest = size.index(max(size[:2] if self.kind == "long" else size))
+        # of what is as deep as wide the width: "an oval table, 3 m long"
+        longest = 1 if self.kind == "long" and depth == width else size.index(max(size[: 2 + (self.kind != "long")]))
         axes = {"deep": (0,), "wide": (1,), "height": (2,), "across": (0, 1)}.get(self.kind, (longest,))
         d, w, h = (self.values[0] if axis in axes else side for axis, side in enumerate(size))
         return d, w, h

@@ -84,11 +84,26 @@ END_WALLS = {
 FAR_SHARE, MIDDLE_SHARE = 0.4, 0.2
 """Shares of the room's longest and shortest side: least distance of "far from", most distance of "in the middle"."""
 
+EXACT = 0.2
+"""Metres from the middle of the room to what is exactly there, at most."""
+
 OPEN_SHARE = 0.16
 """Share of the room's shorter side that stays free to each side of its middle where that is to be open."""
 
 DAYLIGHT = 1.8
 """Metres from a window within which a place has daylight: about one and a half times the height of its head over a table."""
+
+TURNED_IN = 2.0
+"""Metres up to which free floor in the middle of a room is a circle in which somebody turns, and else a square."""
+
+DEEP, LEAST_DISC = 0.9, 0.4
+"""Metres that furniture is deep in a small room, and share of a free disc that it keeps off the middle there."""
+
+OVER = (0.02, 0.1, 0.25)
+"""Metres between a door or window and what hangs over it, least and usual, and from its middle to that of the door at most."""
+
+END_OF_A_TOP = 1 / 6
+"""Share of a top's width that lies between its middle and what is at one of its ends: in its outer thirds."""
 
 LEAST_FAR, LEAST_MIDDLE = 1.5, 0.5
 """Metres: the same in small rooms."""
@@ -140,8 +155,6 @@ TO_ANOTHER: Mapping[str, Ways] = {
     "by": ((("near", AT_TABLE),),),
     "left": ((("left_of", 0.0, NEAR),),),
     "right": ((("right_of", 0.0, NEAR),),),
-    "left half": ((("toward", "right"),),),  # of a top, for who sits at it
-    "right half": ((("toward", "left"),),),
     "front": ((("in_front_of", 0.0, AHEAD),),),
     "foot": ((("in_front_of", 0.0, BESIDE),),),
     "end": ((("in_front_of", 0.0, BESIDE),), (("next_to", "beside", BESIDE),)),
