@@ -136,7 +136,7 @@ def test_what_is_at_an_end_of_a_top_is_in_its_outer_third(text: str, meant: str)
 @pytest.mark.parametrize(
     ("text", "meant"),
     [
-        ("a waiting room with six chairs. A clock hangs above the door.", "max_distance=0.25)"),
+        ("a waiting room with six chairs. A clock hangs above the door.", "max_distance=0.1)"),
         (
             "a studio. Four acoustic panels are evenly spaced along the west wall.",
             "in_rows([acoustic_panel-0, acoustic_panel-1",

@@ -150,12 +150,11 @@ class Demander(InOrder):
             found = [tuple(self._ways_turned(a, it.place, relation)) for a in it.subjects]
             yield from (Demand(ways) for ways in found if ways)
             return
-        if relation == "above" and it.place.name in ("window", "door"):
-            over = {
-                a: tuple(self._ways_over(a, it.place, len(it.subjects))) for a in it.subjects if self._hangs_over(a)
-            }
-            yield from (Demand(ways) for ways in over.values() if ways)
-            it = replace(it, subjects=[a for a in it.subjects if not over.get(a)])
+        if relation == "above" and it.place.name in ("window", "door") and all(map(self._hangs_over, it.subjects)):
+            over = [tuple(self._ways_over(a, it.place, len(it.subjects))) for a in it.subjects]
+            if all(over):
+                yield from map(Demand, over)
+                return
         on, share = relation in ("on", "wall", "hanging"), len(it.subjects) > 1 and relation != "flank"
         share = share or not self.manned.isdisjoint(it.subjects)  # somebody sits between
         along = relation == "wall" and len(it.subjects) == 1  # "a bar along the window"

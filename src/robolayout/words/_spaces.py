@@ -230,7 +230,7 @@ class Spaces(About):
         """Return how and on what things stand that are said to be at an end, on one side or in the middle of a top; else what is given."""
         laid, top = False, list[Item]()
         if chunk.value in ENDS_OF_TOPS:  # "a lamp at the right end of the desk"
-            top = [m for m in mentions(objects) if m.thing.head in BEARERS]
+            top += [m for m in mentions(objects) if m.thing.head in BEARERS]
             laid = bool(top) and all(m.thing.category.on_object for m in subjects)
             chunk = replace(chunk, value=ENDS_OF_TOPS[chunk.value])
         top = top if laid else self._on_what(chunk, subjects, objects)

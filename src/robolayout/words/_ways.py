@@ -99,7 +99,7 @@ TURNED_IN = 2.0
 DEEP, LEAST_DISC = 0.9, 0.4
 """Metres that furniture is deep in a small room, and share of a free disc that it keeps off the middle there."""
 
-OVER = (0.02, 0.1, 0.25)
+OVER = (0.02, 0.1, 0.1)
 """Metres between a door or window and what hangs over it, least and usual, and from its middle to that of the door at most."""
 
 END_OF_A_TOP = 1 / 6
