@@ -95,7 +95,7 @@ def test_small_things_are_as_many_as_they_are_for(text: str, count: dict[str, in
         ),
         (
             "a workshop with a workbench with a vise on the left end and a lamp on the right end",
-            "toward(vise-0, workbench-0, right)",
+            "toward(vise-0, workbench-0, right, off=",
             "zone(workbench",
         ),
         (
