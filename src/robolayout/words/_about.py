@@ -263,6 +263,7 @@ class About(References):
         several = self.target is not None and self.target.several and not any(one.several for one in self.group)
         told = relation in ("by", "next", "near", "holds", *(("on", "wall") if following == "wall" and hung else ()))
         told = told and not (hung and self.said.last.relation == "under")  # "a chest under the pegboard by the bench"
+        told = told or (following == "wall" and relation in ("on", "wall") and self._looked_at_there())
         borne = self.said.last.relation == "on" and self.target is not None and self.target.several and bool(self.group)
         borne = borne and self.group[-1].several and relation in small.ORDERS  # "computers on desks in three rows"
         told = told or borne or (relation == "rows" and several)  # "a lectern facing chairs in two rows"
@@ -299,6 +300,13 @@ class About(References):
         if relation in small.ORDERS and last and last[0].thing.count == 1:
             return list(self.group or self.subject)  # "fridge, stove and sink in a row"
         return laid or self._both_at_each(relation) or last
+
+    def _looked_at_there(self) -> bool:
+        """Return whether what something faces stands at the wall that follows: "a sofa facing a sideboard on the north wall"."""
+        last = self.said.last
+        walled = any(place_in(k.objects[:1], "wall") and named(k.subjects) & named(last.subjects) for k in self._here)
+        looks = last.relation == "facing" and self.target in last.objects
+        return looks and self.target is not None and (walled or self.target.walled or self.target.thing.head == "stand")
 
     def _both_at_each(self, relation: str) -> list[Mention]:
         """Return two things of which there is one at each of others: "a chair and a monitor at each"."""
@@ -389,8 +397,7 @@ class About(References):
         if self._of_the_noun():
             return self._nearest(relation)
         if previous.kind == "verb" or self.verb:
-            told = self.group[-1:] if self.target is None else [self.target]  # "the sink, which is under ..."
-            return told if self.relative else list(self.subject or self.group)
+            return self._right_before() if self.relative else list(self.subject or self.group)
         if previous.kind == "thing":
             return self._nearest(relation)
         of_it = previous.kind == "pron" and self.having and self.holder and not self.verb
@@ -402,12 +409,18 @@ class About(References):
         )
         if past and self.holder and named(self.said.last.objects) == named(self.holder):
             return list(self.holder)  # "a vanity with a mirror above it, opposite the door"
+        if previous.value == "which" and not {*self._ahead(-1).adjectives} & small.PLURAL_DOES:
+            return self._right_before()  # "a sofa faces the TV, which hangs on the wall"
         if previous.kind == "pron" and not self.relative:
             return list(self.before or self.subject) if not self.group else list(self.group)
         if previous.kind == "comma" and self.holder and not self.acted and self._ahead().kind != "pron":
             return list(self.holder)  # "three desks, each with a chair, in a row"
         ordered = relation in small.ORDERS and len(self.group) > 1 and not self.acted
         return list(self.group if ordered else self.acted or self.group[-1:] or self.subject)
+
+    def _right_before(self) -> list[Mention]:
+        """Return what a relative clause is about, the noun right before it: "the sink, which is under the window"."""
+        return self.group[-1:] if self.target is None else [self.target]
 
     def _of_the_noun(self) -> bool:
         """Return whether a participle leads from the noun before it to a relation: "..., a lamp hanging over it"."""

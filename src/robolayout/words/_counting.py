@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from robolayout.words import _function_words as small
 from robolayout.words._chunk import Chunk
-from robolayout.words._said import Item, Mention, mentions, named, place_in, places
+from robolayout.words._said import Item, Mention, NamedThing, mentions, named, place_in, places
 from robolayout.words._spoken import Spoken
 
 
@@ -47,6 +47,7 @@ class Counting(Spoken):
                     mention.thing.number = 1  # "beds with desks at the foot of each"
                 if mention.thing.times == 1 and not owned and not dealt:
                     mention.thing.times = count * (2 if mention.per_side(chunk) else 1)
+                    self._counted_on(mention.thing)
         self._counted_at_walls(chunk, subjects, objects)
         corners = next((to.number for to in places(objects, "corner")), None)
         for thing in (mention.thing for mention in subjects if corners and mention.thing.uncounted):
@@ -56,6 +57,12 @@ class Counting(Spoken):
         for thing in (m.thing for m in subjects if chunk.value == "columns" and m.thing.rows and m.thing.uncounted):
             thing.number = thing.rows * (chunk.rows or 1)  # "six rows of pews in two columns"
         return subjects
+
+    def _counted_on(self, thing: NamedThing) -> None:
+        """Count what each of some things has: "a nightstand with a lamp next to each bed"."""
+        had = [k.subjects for k in self._here if k.relation == "with" and named(k.objects) == {thing}]
+        for one in (m.thing for subjects in had for m in subjects if m.det != "the" and m.thing.times == 1):
+            one.times = thing.times
 
     def _counted_at_walls(self, chunk: Chunk, subjects: Sequence[Mention], objects: Sequence[Item]) -> None:
         """Settle how many of what no number is said stand at several walls, or between others."""

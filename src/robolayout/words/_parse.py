@@ -14,7 +14,7 @@ from robolayout.words import _function_words as small
 from robolayout.words._chunk import ROWS, SOME, Chunk
 from robolayout.words._leftover import leftover
 from robolayout.words._relations import Relating
-from robolayout.words._said import Link, Mention, NamedThing, Parsed, Place, mentions, place_in, place_of
+from robolayout.words._said import Link, Mention, NamedThing, Parsed, Place, mentions, named, place_in, place_of
 from robolayout.words._tokens import ROOMS, Measure, count_of
 
 LIKELY = (0.5, 1.6)
@@ -201,6 +201,9 @@ class Parser(Relating):
         many = [m for m in (*self.spoken, *self.recent, *self.targets) if m.several]
         if many and len(last) == 1 and not last[0].several and every and chunk.value != "both":
             self.subject = self.group = many[-1:]  # "two beds parted by a curtain, each with a lamp"
+        elif every and not many and last[-1:] and (alike := self._alike(last[-1])):
+            self.subject = self.group = alike  # "one desk under the window and another by the door, each with a chair"
+            self.holder, self.having = [], False
         elif each and self.group and self.group[-1].several and self._ahead().kind in ("with", "rel"):
             # "two cups, and two tables, each with ..."
             alike = [m for m in self.group if m.topped == self.group[-1].topped]
@@ -214,6 +217,11 @@ class Parser(Relating):
         own = chunk.value == "each" and (self.holder or self._ahead().kind not in ("rel", "verb"))
         if not self._all_have(chunk) and own and self.group:
             self._one_each(self.group[-1].thing)
+
+    def _alike(self, one: Mention) -> list[Mention]:
+        """Return all things of the kind of one that this sentence names, where these are several."""
+        found = {m.thing: m for m in self.recent if m.thing.noun == one.thing.noun}
+        return [*found.values()] if len(found) > 1 else []
 
     def _all_have(self, chunk: Chunk) -> bool:
         """Read what all of some things or people have: "each with a lamp"; "for two children, each with a bed"."""
@@ -400,6 +408,8 @@ class Parser(Relating):
         joined = self._ahead(-2).kind == "and" and chunk.det != "the"
         own = joined and self.acted and (self._ahead().kind != "rel" or self._ahead(1).kind in small.ALONE_AFTER)
         if not (own and self.every and all(mention.thing.times == self.every[1] > 1 for mention in self.acted)):
+            return False
+        if named(self.acted) <= named(self.every[0]):  # "next to each bed a table with a lamp, and a wardrobe"
             return False
         self.at -= 1
         self._each_has(*self.every)

@@ -81,6 +81,8 @@ class Relating(Spaces):
                 alike = [thing for thing in self.said.things if thing.noun.said == head.thing.noun.said]
                 self.holder = [Mention(thing, None, head.det) for thing in alike]
             self._each_has(self.holder, sum(mention.count for mention in self.holder))
+        elif head is not None and head.det == "a" and head.thing.times > 1:  # "next to each bed stands a table with a lamp"
+            self._each_has([Mention(head.thing, None, "each")], head.thing.count)
 
     def _each_has(self, holder: list[Mention], times: int) -> None:
         """Read what each of some things or people has, up to the end of the clause."""
