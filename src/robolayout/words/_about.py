@@ -390,6 +390,8 @@ class About(References):
         opening = previous is not None and previous.value in ("window", "door")
         if previous is None or previous.kind == "stop" or (opening and previous.det == "a"):
             return []  # "a window on each side of it"
+        if self.fronted is not None and relation in small.ORDERS and len(led := self._all_led()) > 1:
+            return led  # "along the wall run the counter, the oven and the dishwasher, from left to right"
         if self.fronted is not None and previous.kind in ("and", "comma"):
             self.also = self.fronted if not self.group else None  # "between them, under the window, is a table"
             self.fronted = None
@@ -417,6 +419,12 @@ class About(References):
             return list(self.holder)  # "three desks, each with a chair, in a row"
         ordered = relation in small.ORDERS and len(self.group) > 1 and not self.acted
         return list(self.group if ordered else self.acted or self.group[-1:] or self.subject)
+
+    def _all_led(self) -> list[Mention]:
+        """Return all that stands where the head of the clause says."""
+        led = self.fronted[1] if self.fronted is not None else []
+        one = led and self.group[-1:] and not self.group[-1].several  # not "a desk and three chairs in a row"
+        return [m for k in self._here if one and list(k.objects) == led for m in k.subjects]
 
     def _right_before(self) -> list[Mention]:
         """Return what a relative clause is about, the noun right before it: "the sink, which is under the window"."""

@@ -78,6 +78,8 @@ class Chunk:
         words = {*self.adjectives}
         if {"exact", "even"} & words:  # "in the exact middle of the room", "in an even row along the wall"
             return "exact"
+        if self.value == "row":  # "from left to right", as one sees them who looks at their fronts
+            return self.adjectives[1] if "from" in words else ""
         if "outer" in words:  # "on the outer sides of" two beds side by side
             return "outer"
         each = not words.isdisjoint(("each", "either", "both", "opposite", "opposing", "sides", "ends"))

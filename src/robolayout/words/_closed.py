@@ -67,6 +67,7 @@ class ClosedWords:
         if phrase in ("opposite", "across", "adjoining") and following.removesuffix("s") in places:
             return False
         sided = phrase.endswith(("left", "right", "middle", "center", "centre")) and " its " not in phrase
+        sided = sided and not phrase.startswith("from ")  # "from left to right"
         if sided and following and following not in MARKS:
             if re.match("and (the )?(left|right) walls?( |$)", " ".join(self.words[end : end + 4])):
                 return False  # "on the left and right walls"

@@ -68,8 +68,8 @@ class InOrder(AtSides):
         if not any(self._asset(a).on_floor for a in it.subjects):
             yield from self._huddle(it)
         for before, a in pairwise(it.subjects):
-            if self._asset(a).on_floor:
-                yield by_ways(((("next_to", "beside", ways_of.BACK), ("align_with",)),), a, before)
+            if self._asset(a).on_floor and self._asset(before).on_floor:
+                yield by_ways(((("next_to", it.sided or "beside", ways_of.BACK), ("align_with",)),), a, before)
 
     def _even_gap(self, names: Sequence[str]) -> float:
         """Return how many metres lie between things that are spread over the longest stretch of their wall without a door or window."""

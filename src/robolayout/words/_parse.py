@@ -373,6 +373,8 @@ class Parser(Relating):
             return False
         # "behind it a clock, four armchairs around a table"
         other = self._ahead().kind == "rel" and self.fronted[0].value != "on"
+        ordered = self._ahead(-2).kind == "and" and mention.count == 1 and self._ahead().value in small.ORDERS
+        other = other and not ordered  # "along the wall stand a fridge and a stove in a row"
         if self.acted and (other or self._ahead().value in small.FINITE or self._alone(mention, joined=True)):
             self.fronted = None
             return False

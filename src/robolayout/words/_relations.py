@@ -3,21 +3,20 @@
 from __future__ import annotations
 
 import math
-import re
 from collections.abc import Sequence
 from dataclasses import replace
-from itertools import dropwhile, takewhile
+from itertools import dropwhile
 
 from robolayout.words import _function_words as small
 from robolayout.words._chunk import NOTHING, Chunk
+from robolayout.words._holding import Holding
 from robolayout.words._lexicon import Noun
 from robolayout.words._said import Item, Link, Mention, Place, mentions, named, place_in, place_of
-from robolayout.words._spaces import Spaces
 from robolayout.words._tokens import Measure
 from robolayout.words._ways import KEPT_OFF
 
 
-class Relating(Spaces):
+class Relating(Holding):
     """Reads relations; the parser reads the rest."""
 
     def _fact(self, chunk: Chunk) -> None:
@@ -81,7 +80,9 @@ class Relating(Spaces):
                 alike = [thing for thing in self.said.things if thing.noun.said == head.thing.noun.said]
                 self.holder = [Mention(thing, None, head.det) for thing in alike]
             self._each_has(self.holder, sum(mention.count for mention in self.holder))
-        elif head is not None and head.det == "a" and head.thing.times > 1:  # "next to each bed stands a table with a lamp"
+        elif (
+            head is not None and head.det == "a" and head.thing.times > 1
+        ):  # "next to each bed stands a table with a lamp"
             self._each_has([Mention(head.thing, None, "each")], head.thing.count)
 
     def _each_has(self, holder: list[Mention], times: int) -> None:
@@ -110,24 +111,6 @@ class Relating(Spaces):
                     self.group = [mention]
                 if (inner or holder) and mention.thing in self.said.things[first:]:
                     self.said.links.append(Link("with", (mention,), tuple(inner or holder), chunk.start, chunk.end))
-
-    def _list_goes_on(self, had: int) -> bool:
-        """Return whether a plain list goes on from a comma, to the end (", a keyboard and a chair.") or to what goes with others."""
-        kinds = takewhile(lambda kind: kind != "stop", (chunk.kind for chunk in self.chunks[self.at :]))
-        rest = " ".join(kinds).replace(" filler thing", "").split()  # "a box of slides"
-        more = "*" if had > 1 else "+"  # ", a keyboard and a chair, a plant by the door"; ", and a chair, ..."
-        inner = re.match(f"(comma thing ){more}(comma )?and thing (?=comma|and)", " ".join(rest))
-        listed = self.chunks[self.at : self.at + len(inner[0].split())] if inner else []
-        goes_with = [kind for chunk in listed if chunk.noun is not None for kind in chunk.noun.categories[:1]]
-        if goes_with and all(kind.on_object or kind.name.split()[-1] in small.SEATS for kind in goes_with):
-            return True
-        while rest[-1:] in (["rel"], ["pron"]):  # "..., a keyboard and a chair in front of it"
-            rest.pop()
-        return (
-            rest[-2:] == ["and", "thing"]
-            and (had > 1 or rest[1:2] != ["and"])  # "each with a lamp, and a sofa"
-            and re.fullmatch("(comma thing )*(comma )?and thing", " ".join(rest).replace(" with thing", "")) is not None
-        )
 
     def _of_the_room(self, chunk: Chunk) -> bool:
         """Note what is asked of the room itself: an open middle, a way to something, room to turn, daylight at it."""
@@ -403,29 +386,3 @@ class Relating(Spaces):
         having = self.having and known.kind != "comma"  # but "a pool table, cues on the wall"
         held = self.group and (known.kind == "with" or having) and self._ahead().kind != "pron"
         return known not in (*before[:1], NOTHING) and known.kind in ("and", "comma", "with") and not held
-
-    def _reversed(self, chunk: Chunk, subjects: list[Mention], objects: Sequence[Item]) -> None:
-        """Link what is said from the other side: "flanked by two lamps"."""
-        moved = mentions(objects)
-        listed = chunk.value == "holds" and self._list_goes_on(1)  # "holding a bowl, two candles and a clock"
-        joins = ("and", "comma") if listed else ("and",)
-        while chunk.value in ("holds", "flanked") and self._ahead().kind in joins and (also := self._ahead(1).noun):
-            if not also.category.on_object and self._ahead(2).kind not in ("", "stop"):
-                break
-            self.at += 2
-            moved.append(self._mention(self._ahead(-1)))
-        if chunk.value == "flanked" and self._ahead().value in ("left", "right"):
-            self.holder, self.group, self.verb = subjects[:1], moved, False  # "flanked by a lamp on the left and ..."
-            self._understood(chunk)
-        elif moved and subjects:
-            full = not {"filled", "full", "stocked", "containing", "contains", "holding", "holds"}.isdisjoint(
-                chunk.adjectives
-            )
-            filled = full and subjects[0].thing.head == "bookshelf"
-            named = Chunk("rel", chunk.start, chunk.end, "in" if filled else small.REVERSED[chunk.value])
-            each = chunk.value == "holds" and subjects[0].det == "each"  # "each holding a lamp and a clock"
-            for together in [[mention] for mention in moved] if each else [moved]:
-                self._link(named, together, list(subjects))
-            self.target = None if filled else self.target
-            held = chunk.value == "holds" and self._ahead().kind == "rel" and self._ahead().value != "on"
-            self.group = self.acted = list(subjects) if held else moved  # "a shelf full of toys along the wall"
