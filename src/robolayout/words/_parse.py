@@ -78,6 +78,8 @@ class Parser(Relating):
 
     def _on_filler(self, chunk: Chunk) -> None:
         following = self._ahead()
+        if chunk.value == "for" and self._bears(following):
+            self._on_with(chunk)  # "a low cupboard for the coffee machine under the window"
         tops = chunk.value == "of" and any(m.thing.head in small.TOPS for m in self.group[-1:])  # "six tables of four"
         count = count_of(following.value) or 0
         if (chunk.value == "for" or tops) and following.kind == "filler" and count > 1:
@@ -100,6 +102,12 @@ class Parser(Relating):
             index += 1
         if share and self._previous(chunk) != "for" and led.kind in ("rel", "with"):
             self._deal(share, index)
+
+    def _bears(self, what: Chunk) -> bool:
+        """Return whether the thing right before "for" stands on the floor and can have on it the one that follows."""
+        one = what.noun is not None and what.det in ("the", "a") and "floor" not in what.noun.category.places
+        bearer = self.group[-1].thing if self.group and self._ahead(-2).kind == "thing" else None
+        return one and bearer is not None and bearer.category.on_floor and not self.group[-1].sat_on
 
     def _on_measure(self, chunk: Chunk) -> None:
         """A measure of the thing before it, where it can be one ("a desk that is 1.6 m wide"); else of the room."""
@@ -374,14 +382,23 @@ class Parser(Relating):
         # "behind it a clock, four armchairs around a table"
         other = self._ahead().kind == "rel" and self.fronted[0].value != "on"
         ordered = self._ahead(-2).kind == "and" and mention.count == 1 and self._ahead().value in small.ORDERS
-        other = other and not ordered  # "along the wall stand a fridge and a stove in a row"
+        other = (other and not ordered) or self._placed(mention)  # not "a fridge and a stove in a row"
         if self.acted and (other or self._ahead().value in small.FINITE or self._alone(mention, joined=True)):
             self.fronted = None
             return False
         for led in (self.also, self.fronted) if self.also is not None else (self.fronted,):
             self._link(led[0], [mention], led[1])
         self.group = self.acted = [mention]
+        # "a sideboard, on which a vase stands between two candlesticks"
+        self.subject = self.group if self._ahead().kind == "verb" else self.subject
         return True
+
+    def _placed(self, mention: Mention) -> bool:
+        """Return whether a place of its own follows a thing: "..., and a bench with a stool against the wall", "the lamp can go on it"."""
+        rest = [*dropwhile(lambda c: c.kind in ("with", "thing", "style"), self.chunks[self.at :])]
+        had = self._ahead().kind == "with" and not mention.topped and [c.kind for c in rest[:2]] == ["rel", "part"]
+        at_a_place = had and rest[1].value in ("wall", *small.OPENINGS_AND_CORNERS)
+        return at_a_place or self._ahead().value in small.MODAL
 
     def _elided(self, chunk: Chunk, mention: Mention) -> bool:
         """Return whether two things follow each other as the last two did: "the left desk has a lamp, the right one a vase"."""

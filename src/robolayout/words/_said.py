@@ -175,7 +175,8 @@ class Mention:
             return bears
         beside = relation in (*small.AT_SIDES, "behind")
         under = relation == "under" and self.thing.head in small.SEATS
-        under = under or (relation == "above" and self.topped)  # "a tray under the bench and hooks above it"
+        # "a tray under the bench and hooks above it", "a floor lamp beside the sofa and a painting above it"
+        under = under or (relation == "above" and (self.topped or self.slender))
         return not (under or (beside and self.flat) or (relation == "behind" and self.opens and not bears))
 
     @property
@@ -187,6 +188,12 @@ class Mention:
     def flat(self) -> bool:
         """Whether it lies on the floor and others stand on it."""
         return self.thing.category.size[2] < FLAT_HEIGHT
+
+    @property
+    def slender(self) -> bool:
+        """Whether it stands on the floor, more than twice as high as it is wide, and stores nothing: nothing hangs above a floor lamp."""
+        kind = self.thing.category
+        return kind.places == ("floor",) and not self.opens and kind.size[2] > 2 * max(kind.size[:2])
 
     @property
     def laid(self) -> bool:

@@ -222,6 +222,7 @@ class Spoken:
         earlier, to = ([m for m in given if m.thing not in own] for given in (self.recent, self.targets))
         many = holder is not None and holder.several and holder.det != "each"
         one = not many if word == "it" else many or word not in small.SEVERAL or len(earlier) < 2
+        one = one and not (word in small.SEVERAL and self._all_of_before(earlier))
         each = word in small.EVERY and word not in small.SEVERAL and not many
         if each and (led := [m for m in earlier if m.several]):
             return led[-1:]  # "a sofa with a table at each end and a lamp on each of them"
@@ -400,7 +401,12 @@ class Spoken:
             standing = ([m for m in mentions(both) if not m.topped] for both in two)
             last = [m for m in self.spoken if not m.topped]  # "One bed is here and one bed there. Between them ..."
             before = next((both for both in standing if len(both) > 1), last[-2:] if len(last) > 1 else before)
-        return earlier[-2:] or before
+        return self._all_of_before(earlier) or earlier[-2:] or before
+
+    def _all_of_before(self, earlier: Sequence[Mention]) -> list[Mention]:
+        """Return the several things of the sentence before, where one alone was named since: "A table with magazines is before them."."""
+        one = [m.several for m in earlier] == [False] and not self.targets
+        return list(self.before) if one and [m.several for m in self.before[-1:]] == [True] else []
 
     def _keep(self, relation: str, objects: Sequence[Item], *, pronoun: bool, fronted: bool) -> None:
         """Note what a relation led to, so that a later "it" can mean the same."""
