@@ -390,18 +390,31 @@ class About(References):
         opening = previous is not None and previous.value in ("window", "door")
         if previous is None or previous.kind == "stop" or (opening and previous.det == "a"):
             return []  # "a window on each side of it"
-        if self.fronted is not None and relation in small.ORDERS and len(led := self._all_led()) > 1:
+        if relation in small.ORDERS and len(led := self._all_led()) > 1:
             return led  # "along the wall run the counter, the oven and the dishwasher, from left to right"
         if self.fronted is not None and previous.kind in ("and", "comma"):
             self.also = self.fronted if not self.group else None  # "between them, under the window, is a table"
             self.fronted = None
             return []
-        if self._of_the_noun():
+        verb = previous.kind == "verb" or self.verb
+        if self._of_the_noun() or (previous.kind == "thing" and not verb):
             return self._nearest(relation)
-        if previous.kind == "verb" or self.verb:
-            return self._right_before() if self.relative else list(self.subject or self.group)
-        if previous.kind == "thing":
-            return self._nearest(relation)
+        which = previous.value == "which" and not {*self._ahead(-1).adjectives} & small.PLURAL_DOES
+        if which or (verb and self.relative):
+            return self._right_before()  # "a sofa faces the TV, which hangs on the wall"
+        if verb:
+            return list(self.subject or self.group)
+        if held := self._holder_of_it(previous):
+            return held
+        if previous.kind == "pron" and not self.relative:
+            return list(self.before or self.subject) if not self.group else list(self.group)
+        if previous.kind == "comma" and self.holder and not self.acted and self._ahead().kind != "pron":
+            return list(self.holder)  # "three desks, each with a chair, in a row"
+        ordered = relation in small.ORDERS and len(self.group) > 1 and not self.acted
+        return list(self.group if ordered else self.acted or self.group[-1:] or self.subject)
+
+    def _holder_of_it(self, previous: Chunk) -> list[Mention]:
+        """Return what has other things, where a relation comes right after what is said of these: "a rug with a table on it in ..."."""
         of_it = previous.kind == "pron" and self.having and self.holder and not self.verb
         if of_it and [*self.said.last.objects] == self.holder:
             return list(self.holder)  # "a rug with a table on it in front of the sofa"
@@ -411,24 +424,7 @@ class About(References):
         )
         if past and self.holder and named(self.said.last.objects) == named(self.holder):
             return list(self.holder)  # "a vanity with a mirror above it, opposite the door"
-        if previous.value == "which" and not {*self._ahead(-1).adjectives} & small.PLURAL_DOES:
-            return self._right_before()  # "a sofa faces the TV, which hangs on the wall"
-        if previous.kind == "pron" and not self.relative:
-            return list(self.before or self.subject) if not self.group else list(self.group)
-        if previous.kind == "comma" and self.holder and not self.acted and self._ahead().kind != "pron":
-            return list(self.holder)  # "three desks, each with a chair, in a row"
-        ordered = relation in small.ORDERS and len(self.group) > 1 and not self.acted
-        return list(self.group if ordered else self.acted or self.group[-1:] or self.subject)
-
-    def _all_led(self) -> list[Mention]:
-        """Return all that stands where the head of the clause says."""
-        led = self.fronted[1] if self.fronted is not None else []
-        one = led and self.group[-1:] and not self.group[-1].several  # not "a desk and three chairs in a row"
-        return [m for k in self._here if one and list(k.objects) == led for m in k.subjects]
-
-    def _right_before(self) -> list[Mention]:
-        """Return what a relative clause is about, the noun right before it: "the sink, which is under the window"."""
-        return self.group[-1:] if self.target is None else [self.target]
+        return []
 
     def _of_the_noun(self) -> bool:
         """Return whether a participle leads from the noun before it to a relation: "..., a lamp hanging over it"."""

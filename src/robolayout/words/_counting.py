@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from itertools import takewhile
 
 from robolayout.words import _function_words as small
 from robolayout.words._chunk import Chunk
@@ -13,6 +14,26 @@ from robolayout.words._spoken import Spoken
 
 class Counting(Spoken):
     """Counts what relations ask for."""
+
+    def _others_follow(self, chunk: Chunk) -> bool:
+        """Return whether this sentence goes on with the other ones of some things: "one chair on the left, the other on the right"."""
+        rest = takewhile(lambda c: c.kind != "stop", self.chunks[self.at :])
+        return any(c.det in ("other", "new") and c.noun is chunk.noun for c in rest)
+
+    def _counted_one(self, thing: NamedThing) -> bool:
+        """Return whether a thing was first named as one of a number: "one armchair is on the left, the other on the right"."""
+        first = next(c for c in self.chunks if c.start == thing.spans[0][0])
+        return (first.number, first.det) == (1, "")
+
+    def _told_more(self, thing: NamedThing, chunk: Chunk) -> bool:
+        """Return whether a phrase says more of the one thing that was named bare: "I see the TV from the bed. Put a double bed ..."."""
+        assert chunk.noun is not None
+        bare = not thing.adjectives and len(thing.noun.said.split()) == 1 and thing.count == 1
+        if not bare or thing.noun.kind != chunk.noun.kind:
+            return False
+        thing.noun, thing.adjectives = chunk.noun, chunk.adjectives
+        thing.sizes += chunk.sizes
+        return True
 
     def _on_both_sides(self, chunk: Chunk, subjects: Sequence[Mention], objects: Sequence[Item]) -> Chunk:
         """Count what stands at each side of something; return the relation, which is "around" for several seats at a table."""

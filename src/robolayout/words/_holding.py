@@ -35,7 +35,7 @@ class Holding(Spaces):
         )
 
     def _list_closes(self) -> bool:
-        """Return whether a list of what something holds ends before what is said of that: "a desk holding a lamp, a mug and a mouse is ...".
+        """Return whether a list of what something holds ends before what is said of it: "a desk holding a lamp and a mug is ...".
 
         Before another relation it does where all can stand on something: not "holding a lamp, and a chair by the door".
         """

@@ -7,6 +7,7 @@ clause before, or what stands before "with". A noun with "the" that was named be
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 from itertools import dropwhile, takewhile
 
@@ -206,12 +207,8 @@ class Parser(Relating):
         begins = not self.group or self._previous(chunk) in ("and", ",")
         several_meant, each = chunk.value in small.SEVERAL and begins, chunk.value == "each" and begins
         last, every = self.group or self.before, begins and chunk.value in (*small.EVERY, "they")
-        many = [m for m in (*self.spoken, *self.recent, *self.targets) if m.several]
-        if many and len(last) == 1 and not last[0].several and every and chunk.value != "both":
-            self.subject = self.group = many[-1:]  # "two beds parted by a curtain, each with a lamp"
-        elif every and not many and last[-1:] and (alike := self._alike(last[-1])):
-            self.subject = self.group = alike  # "one desk under the window and another by the door, each with a chair"
-            self.holder, self.having = [], False
+        if every and (meant := self._every_one(chunk, last)):
+            self.subject = self.group = meant
         elif each and self.group and self.group[-1].several and self._ahead().kind in ("with", "rel"):
             # "two cups, and two tables, each with ..."
             alike = [m for m in self.group if m.topped == self.group[-1].topped]
@@ -226,10 +223,16 @@ class Parser(Relating):
         if not self._all_have(chunk) and own and self.group:
             self._one_each(self.group[-1].thing)
 
-    def _alike(self, one: Mention) -> list[Mention]:
-        """Return all things of the kind of one that this sentence names, where these are several."""
-        found = {m.thing: m for m in self.recent if m.thing.noun == one.thing.noun}
-        return [*found.values()] if len(found) > 1 else []
+    def _every_one(self, chunk: Chunk, last: Sequence[Mention]) -> list[Mention]:
+        """Return what "each" means that is not what was named last, or not that alone."""
+        many = [m for m in (*self.spoken, *self.recent, *self.targets) if m.several]
+        if many and len(last) == 1 and not last[0].several and chunk.value != "both":
+            return many[-1:]  # "two beds parted by a curtain, each with a lamp"
+        alike = {m.thing: m for m in self.recent if last and not many and m.thing.noun == last[-1].thing.noun}
+        if len(alike) < 2:
+            return []
+        self.holder, self.having = [], False
+        return [*alike.values()]  # "one desk under the window and another by the door, each with a chair"
 
     def _all_have(self, chunk: Chunk) -> bool:
         """Read what all of some things or people have: "each with a lamp"; "for two children, each with a bed"."""

@@ -29,6 +29,7 @@ class References(Counting):
             known.spans.append((chunk.start, chunk.end))
             pick = self._pick(chunk, known.count, self.dealt.get(known), target=target)
             one_by_one = chunk.det in ("new", "one", *small.SHARES) or (chunk.det == "first" and chunk.number)
+            one_by_one = one_by_one or (chunk.number == 1 and not chunk.det and self._others_follow(chunk))
             if pick is not None and one_by_one:
                 self.dealt[known] = pick.stop
             return Mention(known, pick, chunk.det)
@@ -135,17 +136,20 @@ class References(Counting):
             return last
         follows = self._ahead().kind
         earlier = last not in named(self.recent)
-        if one and ((follows == "verb" and earlier) or (target and last.count > 1)):
+        others = last.count > 1 and self._others_follow(chunk)  # "two chairs, one chair on the left, the other ..."
+        if one and (others or (follows == "verb" and earlier) or (target and last.count > 1)):
             return last  # "three lamps. One lamp should be next to the sofa"
         if bare and not chunk.plural and not target:
             # "1 bed, 1 desk: desk near bed", "watch it from bed"
             again = earlier and last.count == 1 and (last.definite or (not self.group and follows in ("with", "verb")))
             return last if alike and (again or follows == "rel" or self._previous(chunk) == "from") else None
         if chunk.det == "a":
-            again = alike and (target or (last.definite and not theirs))
+            more = last.definite and not target and not theirs and self._told_more(last, chunk)
+            again = more or (alike and (target or (last.definite and not theirs)))
             last.definite = last.definite and target
             return last if again else None
         new = chunk.det == "new" and not 0 < self.dealt.get(last, 0) < last.count
+        new = new or (chunk.det == "other" and last.number == 1 and self._counted_one(last))
         new = new or (chunk.det == "other" and (number or 0) >= last.count)  # "a desk at the door and 15 other desks"
         return None if new or (told and chunk.det not in small.NAMED) else last
 

@@ -403,6 +403,16 @@ class Spoken:
             before = next((both for both in standing if len(both) > 1), last[-2:] if len(last) > 1 else before)
         return self._all_of_before(earlier) or earlier[-2:] or before
 
+    def _all_led(self) -> list[Mention]:
+        """Return all that stands where the head of the clause says."""
+        led = self.fronted[1] if self.fronted is not None else []
+        one = led and self.group[-1:] and not self.group[-1].several  # not "a desk and three chairs in a row"
+        return [m for k in self._here if one and list(k.objects) == led for m in k.subjects]
+
+    def _right_before(self) -> list[Mention]:
+        """Return what a relative clause is about, the noun right before it: "the sink, which is under the window"."""
+        return self.group[-1:] if self.target is None else [self.target]
+
     def _all_of_before(self, earlier: Sequence[Mention]) -> list[Mention]:
         """Return the several things of the sentence before, where one alone was named since: "A table with magazines is before them."."""
         one = [m.several for m in earlier] == [False] and not self.targets
@@ -418,7 +428,7 @@ class Spoken:
             aside = relation in ("left", "right")  # "a desk before the window, a chair behind it" is behind the desk
             side = things[:1] or [item for item in objects[:1] if aside and place_in([item], "door", "window")]
             told = (small.OTHER_SIDE[relation], side) if relation in small.OTHER_SIDE else ("", [])
-            kept = not told[0] and (relation == "on" or place_in(objects[:1], "wall") is not None)
+            kept = not told[0] and (relation == "on" or place_in(objects[:1], "wall", "corner") is not None)
             self.contrast = self.contrast if kept else told
         if things and (pronoun or (fronted and relation in small.AXES)):
             self.kept, self.axis, self.other = things[:1], "" if pronoun else small.AXES[relation], []
