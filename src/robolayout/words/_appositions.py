@@ -28,12 +28,18 @@ def described(chunks: Sequence[Chunk]) -> list[Chunk]:
         close = first == i + 2 and found[i + 1].kind != "stop"
         more = (found[i].number or 0) - sum(item.number or 1 for item, _, _ in items)
         rest = [replace(found[i], number=more, plural=more > 1)] if items and more > 0 else []
+        named = [*rest, *(item for item, _, _ in items)]
+        marks = (replace(NOTHING, kind="and", start=item.start, end=item.start, value=LISTED) for item in named)
+        joined = [chunk for two in zip(marks, named, strict=True) for chunk in two]
         if items and {*between} <= {"and", "comma"} and (close or _at(found, end).kind in ("", "stop", "comma")):
-            named = [*rest, *(item for item, _, _ in items)]
-            marks = (replace(NOTHING, kind="and", start=item.start, end=item.start, value=LISTED) for item in named)
-            joined = [chunk for two in zip(marks, named, strict=True) for chunk in two]
             end += close and (_at(found, end).kind, _at(found, end + 1).kind) == ("comma", "rel")
             found[i:end] = [*joined[1:], *found[i + 1 : first - 1]]
+        elif close and _led(
+            found, i
+        ):  # "in front of the sofa are two tables: one is round and has a bowl on it, the other is ..."
+            for item, start, after in reversed(items):
+                found[start:after] = [replace(item, det="the", number=None)]
+            found[i:first] = [*joined[1:], replace(found[i + 1], kind="stop")]
         elif close:  # with where each of them is
             for item, start, after in reversed(items):
                 found[start:after] = [item]
@@ -45,6 +51,12 @@ def described(chunks: Sequence[Chunk]) -> list[Chunk]:
     return found
 
 
+def _led(chunks: Sequence[Chunk], at: int) -> bool:
+    """Return whether the sentence of a chunk begins with where things are."""
+    ends = [k for k in range(at) if chunks[k].kind in ("stop", "colon")]
+    return chunks[ends[-1] + 1 if ends else 0].kind == "rel"
+
+
 def _is(chunk: Chunk, heads: Collection[str]) -> bool:
     return chunk.kind == "thing" and chunk.noun is not None and chunk.noun.said.split()[-1] in heads
 
@@ -53,6 +65,8 @@ def _listed(chunks: Sequence[Chunk], at: int) -> list[Item]:
     """Return what is listed after several things, in their sentence or all over the next one, where it is all of them."""
     several = chunks[at]
     opening = several.value in ("window", "door")
+    if several.number is None and several.det != "both" and _at(chunks, at + 1).value == ",":
+        return []  # "a shelf full of toys, two teddy bears and a ball"
     if not (several.kind == "thing" or opening) or not (several.plural or several.det == "both"):
         return []
     stops = [*(k for k in range(at, len(chunks)) if chunks[k].kind == "stop"), len(chunks), len(chunks)]

@@ -45,7 +45,8 @@ def _idle(chunks: Sequence[Chunk], said: Parsed) -> set[int]:
         links = [link for link in said.links if start <= link.start < end]
         about = {thing for link in links for thing in named((*link.subjects, *link.objects))}
         facts = any(start <= fact.start < end and fact.kind in small.OF_A_THING for fact in said.facts)
-        again = {span[0] for thing in said.things if thing not in about for span in thing.spans[1:]}
+        others = [thing.spans for thing in said.things if thing not in about]
+        again = {span[0] for first, *more in others for span in more if span != first}
         told = (c.start for c in chunks if c.start in again and c.det not in ("a", ""))
         found |= {first for first in told if start <= first < end and not facts}
     return found

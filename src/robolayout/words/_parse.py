@@ -12,7 +12,7 @@ from dataclasses import replace
 from itertools import dropwhile, takewhile
 
 from robolayout.words import _function_words as small
-from robolayout.words._chunk import ROWS, SOME, Chunk
+from robolayout.words._chunk import NOTHING, ROWS, SOME, Chunk
 from robolayout.words._leftover import leftover
 from robolayout.words._relations import Relating
 from robolayout.words._said import Link, Mention, NamedThing, Parsed, Place, mentions, named, place_in, place_of
@@ -393,7 +393,8 @@ class Parser(Relating):
             self._link(led[0], [mention], led[1])
         self.group = self.acted = [mention]
         # "a sideboard, on which a vase stands between two candlesticks"
-        self.subject = self.group if self._ahead().kind == "verb" else self.subject
+        rest = [*dropwhile(lambda c: c.kind in small.OF_A_NOUN, self.chunks[self.at :]), NOTHING]
+        self.subject = self.group if rest[0].kind == "verb" else self.subject
         return True
 
     def _placed(self, mention: Mention) -> bool:

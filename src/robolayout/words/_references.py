@@ -43,11 +43,11 @@ class References(Counting):
         if number is None and chunk.plural and chunk.noun.kind in small.ONE_EACH and not self.said.things:
             number = self._people() or None  # "an office for four: desks ..."
         if number is None and chunk.det == "each" and chunk.noun.kind in small.ONE_EACH:  # "in front of each chair"
-            sat_at = (max(t.people, 1) * t.count for t in self.said.things if t.people or t.head == "desk")
-            number = self._people() or next(sat_at, None)
+            number = self._people() or self._sitting("desk")
         definite = chunk.det in ("the", "each", "all", "first", *small.SHARES)
         some = chunk.det == "one"  # "one of the two beds"
-        number, number_of = (chunk.total, number) if some else (number, None)
+        seats = self._sitting() if some and chunk.noun.kind in small.ONE_EACH else None  # "a table for four"
+        number, number_of = (chunk.total or seats, number) if some else (number, None)
         plural = chunk.plural or (chunk.det == "each" and number is None)
         made = NamedThing(chunk.noun, number, chunk.bound, plural, chunk.adjectives, [(chunk.start, chunk.end)])
         made.rows, made.definite = chunk.rows, definite
@@ -71,6 +71,11 @@ class References(Counting):
         more = {kind for kind in chunk.noun.others if kind.split()[-1] in ends} - {thing.noun.kind for thing in found}
         again = again or bool(more)
         return [] if again or count < 2 or count != told else [Mention(thing, None, chunk.det) for thing in found]
+
+    def _sitting(self, head: str = "") -> int | None:
+        """Return how many sit at what is for so many, or at each thing with some last word; None if nobody said."""
+        sat_at = (max(t.people, 1) * t.count for t in self.said.things if t.people or t.head == head)
+        return next(sat_at, None)
 
     def _people(self) -> int:
         """Return how many people the room was said to be for, 0 if nobody said."""
@@ -435,7 +440,8 @@ class References(Counting):
 
 def _standing(items: Sequence[Item]) -> bool:
     """Return whether there are things that stand on the floor: "a table with magazines in front of the sofa"."""
-    return bool(mentions(items)) and not any("object" in mention.thing.places for mention in mentions(items))
+    there = mentions(items)
+    return bool(there) and not any("object" in m.thing.places or m.det == "each" for m in there)
 
 
 def _over_or_under(relation: str, item: Item) -> bool:

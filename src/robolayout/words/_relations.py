@@ -202,7 +202,8 @@ class Relating(Holding):
             return False
         self._understood(place)
         self.said.missed[:] = [other for other in self.said.missed if other is not place]
-        self._link(replace(chunk, value=at), mentions(self._objects(chunk)), [place_of(place)])
+        self.group = self.acted = mentions(self._objects(chunk))  # "..., between which a mirror hangs"
+        self._link(replace(chunk, value=at), self.group, [place_of(place)])
         return True
 
     def _relate_to(
