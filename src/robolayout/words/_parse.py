@@ -394,7 +394,7 @@ class Parser(Relating):
         self.group = self.acted = [mention]
         # "a sideboard, on which a vase stands between two candlesticks"
         rest = [*dropwhile(lambda c: c.kind in small.OF_A_NOUN, self.chunks[self.at :]), NOTHING]
-        self.subject = self.group if rest[0].kind == "verb" else self.subject
+        self.subject = self.group if rest[0].value in small.FINITE else self.subject
         return True
 
     def _placed(self, mention: Mention) -> bool:
