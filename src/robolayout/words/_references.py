@@ -274,8 +274,7 @@ class References(Counting):
         if middle and on and self.group[-1:] and self.group[-1].topped:
             return subjects, list(on)  # "a table by the wall, with a bowl in the middle"
         place = isinstance(objects[0], Place) if objects else chunk.value == "middle"
-        laid = chunk.value in small.LAID or (chunk.value == "front" and _standing(objects))
-        laid = laid and held and self.group[-1].topped and not self.holder[0].topped
+        laid = _of_what_bears(chunk.value, objects) and held and self.group[-1].topped and not self.holder[0].topped
         laid = laid and (chunk.value != "above" or len(objects) > 1)  # "a shelf with bottles above them"
         if laid and chunk.det == "its" and self.target is not None:
             return [self.target], list(self.holder)  # "a bed with a lamp on the nightstand to its right"
@@ -438,10 +437,11 @@ class References(Counting):
         return meant and (kinds[2:] or ["stop"])[0] in ends
 
 
-def _standing(items: Sequence[Item]) -> bool:
-    """Return whether there are things that stand on the floor: "a table with magazines in front of the sofa"."""
+def _of_what_bears(relation: str, items: Sequence[Item]) -> bool:
+    """Return whether a relation is about what small things are on: "a table with magazines in front of the sofa"."""
     there = mentions(items)
-    return bool(there) and not any("object" in m.thing.places or m.det == "each" for m in there)
+    standing = bool(there) and not any("object" in m.thing.places or m.det == "each" for m in there)
+    return relation in small.LAID or (relation == "front" and standing)
 
 
 def _over_or_under(relation: str, item: Item) -> bool:
