@@ -339,16 +339,14 @@ class AtPlaces:
             yield self._at_a_side(a, opening, ("left", "right").index(side), more)
 
     def _at_a_side(self, a: str, opening: Opening, side: int, more: float = 0.0) -> Way:
-        """Return that a thing is near a door or window, in the half of the room at its left or, for odd numbers, its right.
-
-        It may be so many metres more from it, which others take.
-        """
+        """Return that a thing is near a door or window, or in a corner at its wall, in the half at its left or (odd numbers) its right."""
         wall, far = self.room.walls[opening.wall], sum(one.length for one in self.room.walls)
         (x, y), (dx, dy), (nx, ny) = wall.point(opening.center), wall.direction, wall.normal
         middle, (u, v), to = floor_point((x, y)), (x + far * nx, y + far * ny), -far if side % 2 else far
         half = (middle, *(PointRef(p + to * dx, q + to * dy) for p, q in ((x, y), (u, v))), PointRef(u, v))
-        near = stated("near", AssetRef(a), middle, round(opening.width / 2 + ways_of.BESIDE + more, 3))
-        return (near, stated("zone", AssetRef(a), half))
+        near = ("near", AssetRef(a), middle, round(opening.width / 2 + ways_of.BESIDE + more, 3))
+        there = ("against_wall", AssetRef(a), WallRef(opening.wall)) if a in self.cornered else near
+        return (stated(*there), stated("zone", AssetRef(a), half))
 
     def _ways_amidst(self, b: str, items: Sequence[str]) -> tuple[Way, ...]:
         """Return the ways in which something is between two that are deeper, at their wall, or hangs between two that stand."""
