@@ -136,7 +136,7 @@ def test_as_many_are_there_as_are_told(text: str, count: dict[str, int]) -> None
         ),
         (
             "A waiting room. One armchair is in the corner to the left of the door, the other in the corner to the right.",
-            "near(armchair-1",
+            "against_wall(armchair-1, walls[",
             "right side",
         ),
         ("A bedroom with a bed. I'd rather not have it opposite the door.", "align_with(bed-0", "point_towards(bed-0"),
