@@ -65,14 +65,15 @@ def _listed(chunks: Sequence[Chunk], at: int) -> list[Item]:
     """Return what is listed after several things, in their sentence or all over the next one, where it is all of them."""
     several = chunks[at]
     opening = several.value in ("window", "door")
-    if several.number is None and several.det != "both" and _at(chunks, at + 1).value == ",":
-        return []  # "a shelf full of toys, two teddy bears and a ball"
     if not (several.kind == "thing" or opening) or not (several.plural or several.det == "both"):
         return []
     stops = [*(k for k in range(at, len(chunks)) if chunks[k].kind == "stop"), len(chunks), len(chunks)]
     items = _items(chunks, at + 2, stops[0], several)
     if not items and _items(chunks, stops[0] + 1, stops[0] + 2, several):
         items = _items(chunks, stops[0] + 1, stops[1], several)
+    others = any(item.noun is not several.noun for item, _, _ in items)
+    if others and several.number is None and several.det != "both" and _at(chunks, at + 1).value == ",":
+        return []  # "a shelf full of toys, two teddy bears and a ball"
     total = sum(item.number or 1 for item, _, _ in items)
     share = [_at(chunks, start + 1).value for _, start, _ in items[:1]]
     many = several.number or (2 if several.det == "both" else total)
