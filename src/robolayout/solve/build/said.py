@@ -138,7 +138,8 @@ class Said:
 def rugs_first(scene: Scene, program: Program) -> frozenset[str]:
     """Return the rugs whose places are asked for by themselves, and on which things stand."""
     said = [one.relation for one in program.statements]
-    alone = {one.asset_names()[0] for one in said if len({*one.asset_names()}) == 1}
+    placed = [one for one in said if not isinstance(one, AlignWith)]
+    alone = {one.asset_names()[0] for one in placed if len({*one.asset_names()}) == 1}
     rugs = {one.a.name for one in said if isinstance(one, Under)}
     return frozenset(rug for rug in rugs & alone if scene.by_name[rug].is_flat)
 
