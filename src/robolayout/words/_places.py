@@ -344,9 +344,10 @@ class AtPlaces:
         (x, y), (dx, dy), (nx, ny) = wall.point(opening.center), wall.direction, wall.normal
         middle, (u, v), to = floor_point((x, y)), (x + far * nx, y + far * ny), -far if side % 2 else far
         half = (middle, *(PointRef(p + to * dx, q + to * dy) for p, q in ((x, y), (u, v))), PointRef(u, v))
-        near = ("near", AssetRef(a), middle, round(opening.width / 2 + ways_of.BESIDE + more, 3))
-        there = ("against_wall", AssetRef(a), WallRef(opening.wall)) if a in self.cornered else near
-        return (stated(*there), stated("zone", AssetRef(a), half))
+        ref, most = AssetRef(a), round(opening.width / 2 + ways_of.BESIDE + more, 3)
+        at_it = stated("near", ref, middle, most)
+        there = stated("against_wall", ref, WallRef(opening.wall)) if a in self.cornered else at_it
+        return (there, stated("zone", ref, half))
 
     def _ways_amidst(self, b: str, items: Sequence[str]) -> tuple[Way, ...]:
         """Return the ways in which something is between two that are deeper, at their wall, or hangs between two that stand."""

@@ -5,15 +5,21 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import replace
-from itertools import dropwhile
+from itertools import dropwhile, takewhile
 
 from robolayout.words import _function_words as small
 from robolayout.words._chunk import NOTHING, Chunk
 from robolayout.words._holding import Holding
 from robolayout.words._lexicon import Noun
-from robolayout.words._said import Item, Link, Mention, Place, mentions, named, place_in, place_of
-from robolayout.words._tokens import Measure
+from robolayout.words._said import Item, Link, Mention, NamedThing, Place, mentions, named, place_in, place_of
+from robolayout.words._tokens import ROOMS, Measure
 from robolayout.words._ways import KEPT_OFF
+
+LIKELY = (0.5, 1.6)
+"""Least and most by which a thing differs from usual whose size is said after it, where the room could be meant as well."""
+
+SIDES = ("long", "wide", "deep", "across", "diagonal")
+"""Measures that are of one side of a thing."""
 
 
 class Relating(Holding):
@@ -50,6 +56,44 @@ class Relating(Holding):
         told = chunk.kind == "people" and chunk.number and self._previous(chunk) in by
         if told and self._promised(chunk.number or 0, -3):
             self.said.facts[-1:] = [chunk, replace(chunk, kind="seats")]
+
+    def _on_measure(self, chunk: Chunk) -> None:
+        """A measure of the thing before it, where it can be one ("a desk that is 1.6 m wide"); else of the room."""
+        assert chunk.measure is not None
+        if any(read(chunk, chunk.measure) for read in (self._free_space, self._aisles, self._hung_at)):
+            return
+        before = self.chunks[: self.at - 1]
+        while before and (before[-1].kind in ("filler", "verb", "pron", "and", "measure") or before[-1].value == "("):
+            before.pop()
+        apposed = before[-1:] != [] and before[-1].kind == "comma"
+        while apposed and before and before[-1].kind in ("comma", "filler"):  # "a table for four, 1.4 by 0.8 m"
+            before.pop()
+        spans = [(before[-1].start, before[-1].end)] if before and before[-1].kind == "thing" else []
+        thing = next((thing for thing in self.said.things if thing.spans[-1:] == spans), None)
+        own = thing is not None and (not apposed or self._its_own(thing, chunk.measure))
+        if thing is not None and chunk.measure.kind == "length" and self._ahead().kind == "rel":
+            self.gap = chunk  # "a table 40 cm in front of the sofa"
+        elif thing is not None and own and chunk.measure.fits(thing.category.size):
+            thing.sizes.append(chunk.measure)
+            self._understood(chunk)
+        elif chunk.measure.kind in ("size", "area", "height", "grid"):
+            chunk.measure.of_a_room()
+            self._fact(chunk)
+        else:
+            self.said.missed.append(chunk)
+
+    def _its_own(self, thing: NamedThing, measure: Measure) -> bool:
+        """Return whether a measure after a thing and a comma is of that, not of the room: "a desk, 1.6 by 0.8 m, stands ..."."""
+        before = self.chunks[: self.at - 1]
+        if any(c.kind == "pron" for c in takewhile(lambda c: c.kind != "comma", reversed(before))):
+            return True  # "three bookcases, all of them 2 m tall"
+        if measure.kind not in ROOMS:
+            return measure.kind in SIDES and self._ahead().kind not in ("thing", "part")
+        usual = thing.category.size
+        likely = all(LIKELY[0] <= new / old <= LIKELY[1] for new, old in zip(measure.on(usual), usual, strict=True))
+        told = any(c.measure and c.measure.kind == measure.kind and c.measure != measure for c in self.chunks)
+        after = self._ahead(self._ahead().kind == "comma").kind in ("verb", "rel")
+        return min(measure.values) < ROOMS[measure.kind][0] or likely or told or after
 
     def _on_with(self, chunk: Chunk) -> None:
         self.refusing = False
