@@ -44,9 +44,8 @@ def wished_things(wishes: RoomWishes) -> dict[str, int]:
     if seated and not wishes.reading.people and wishes.useless("chair", {**wished, **room.base}):
         heads.add("chair")  # who is here sits elsewhere: on sofas, or on stools at high tables
     for name, count in room.person.items():
-        promised = (
-            wishes.reading.people or wishes.seats or not wishes.things
-        )  # "a room for two with a bed, nothing else"
+        # "a room for two with a bed, nothing else"
+        promised = wishes.reading.people or wishes.seats or not wishes.things
         spared = wishes.reading.only and not (promised and wishes.kinds[name].on_floor)
         if people and head(name) not in heads and not spared and name not in wishes.reading.unwanted:
             own = people - wished["laptop"] * (name in ("monitor", "keyboard"))  # who has a laptop needs none

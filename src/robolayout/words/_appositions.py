@@ -34,9 +34,8 @@ def described(chunks: Sequence[Chunk]) -> list[Chunk]:
         if items and {*between} <= {"and", "comma"} and (close or _at(found, end).kind in ("", "stop", "comma")):
             end += close and (_at(found, end).kind, _at(found, end + 1).kind) == ("comma", "rel")
             found[i:end] = [*joined[1:], *found[i + 1 : first - 1]]
-        elif close and _led(
-            found, i
-        ):  # "in front of the sofa are two tables: one is round and has a bowl on it, the other is ..."
+        # "in front of the sofa are two tables: one is round and has a bowl on it, the other is ..."
+        elif close and _led(found, i):
             for item, start, after in reversed(items):
                 found[start:after] = [replace(item, det="the", number=None)]
             found[i:first] = [*joined[1:], replace(found[i + 1], kind="stop")]

@@ -107,12 +107,10 @@ def without_noun(
         return None
     if picks in LATTER:
         here = takewhile(lambda c: c.kind not in ("stop", "comma", "and"), reversed(found))
-        led = (
-            [c for c in here if c.kind == "thing"] if found[-1:] and found[-1].kind == "rel" else []
-        )  # "a mat by the latter"
-        two = [c for c in found if c.kind == "thing" and not {*words[c.start : c.end]} & {*LATTER} and c not in led][
-            -2:
-        ]
+        # not the mat of "a mat by the latter"
+        led = [c for c in here if c.kind == "thing"] if [c.kind for c in found[-1:]] == ["rel"] else []
+        named = [c for c in found if c.kind == "thing" and not {*words[c.start : c.end]} & {*LATTER}]
+        two = [c for c in named if c not in led][-2:]
         meant = two[max(LATTER.index(picks) - 2, -len(two))] if two[not led :] else None
         return None if meant is None else replace(meant, start=at, end=end, det="the", adjectives=())
     new = bool(counted) or words[at] in ("a", "an", "another")

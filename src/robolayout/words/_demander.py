@@ -231,9 +231,8 @@ class Demander(InOrder):
         by, on = dict[str, list[str]](), dict[str, list[str]]()
         for a, b in it.twos:
             if self._is(b, small.BEARING) and self._asset(a).on_object and not self._asset(a).on_floor:
-                end = (
-                    self._right_half_each(a, b) if len(ends := on.setdefault(b, [])) % 2 else self._left_half_each(a, b)
-                )
+                ends = on.setdefault(b, [])
+                end = (self._right_half_each if len(ends) % 2 else self._left_half_each)(a, b)
                 ends.append(a)
                 yield self._on_each(a, b)
                 yield from [end] * (len(it.twos) > len({b for _, b in it.twos}))

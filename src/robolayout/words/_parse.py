@@ -314,9 +314,8 @@ class Parser(Relating):
         elif aid and (before in small.USING or self._ahead().value in small.ABLE):
             self._fact(Chunk("body", chunk.start, chunk.end, aid))
         elif (alike or narrow) and (before == "of" or self._ahead(-2).kind == "with"):
-            self._fact(
-                replace(chunk, kind="function")
-            )  # "a bottle of detergent", "a vase with flowers", "a jar of brushes"
+            # "a bottle of detergent", "a vase with flowers", "a jar of brushes"
+            self._fact(replace(chunk, kind="function"))
         elif held and before == "of" and noun.kind.split()[-1] == held[0].thing.head:
             held[0].thing.noun = noun  # "a box of tissues" is a tissue box
             self._understood(chunk)

@@ -124,9 +124,8 @@ class Relating(Holding):
                 alike = [thing for thing in self.said.things if thing.noun.said == head.thing.noun.said]
                 self.holder = [Mention(thing, None, head.det) for thing in alike]
             self._each_has(self.holder, sum(mention.count for mention in self.holder))
-        elif (
-            head is not None and head.det == "a" and head.thing.times > 1
-        ):  # "next to each bed stands a table with a lamp"
+        # "next to each bed stands a table with a lamp"
+        elif head is not None and head.det == "a" and head.thing.times > 1:
             self._each_has([Mention(head.thing, None, "each")], head.thing.count)
 
     def _each_has(self, holder: list[Mention], times: int) -> None:
