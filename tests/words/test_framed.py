@@ -53,6 +53,9 @@ def before_and_after(room: Room, opening: Opening) -> tuple[float, float]:
         ("a bedroom with the door on the north wall near the east corner", "north", "start"),
         ("a bedroom. The door is at the west end of the south wall", "south", "start"),
         ("a bedroom. The door is in the left corner of the south wall", "south", "end"),
+        ("a bedroom with the door on the left side of the south wall", "south", "end"),
+        ("a bedroom with a desk in the corner farthest from the door, which is in the middle of the short south wall",
+         "south", "middle"),
         ("a bedroom with a door in the north-west corner", "north", "end"),
         ("a bedroom. The door is on the west wall close to the south-west corner", "west", "end"),
     ],
@@ -115,6 +118,16 @@ def test_a_clause_after_a_door_is_about_the_door(text: str, door: str, relation:
 def test_windows_are_kept_free(said: str) -> None:
     (kept,) = rows(f"A bedroom with a bed. {said}.", "relation")
     assert kept.startswith("bed-0 at least 0.6 m from")
+
+
+def test_two_doors_are_never_in_one_place_and_those_of_a_wardrobe_are_its_own() -> None:
+    room = scene_of("a library with a door in the middle of the south wall and another door in the south wall").room
+    one, other = sorted(room.doors, key=lambda door: door.offset)
+    assert one.wall == other.wall == 0
+    assert one.offset + one.width <= other.offset
+    text = "a bedroom with a door on the east wall. A wardrobe stands in the northwest corner, its doors facing east"
+    assert len(scene_of(text).room.doors) == 1
+    assert rows(text, "relation")[0].startswith("corner(wardrobe-0")
 
 
 def test_what_stands_at_a_wall_without_doors_and_windows_is_at_one() -> None:

@@ -34,6 +34,11 @@ from robolayout.words import read_words
             "toy box on",
             "under(round_rug-0, [toy_box-0]), distance_constraint(toy_box-0, round_rug-0",
         ),
+        ("a warehouse. A pallet jack waits in the corner", "pallet jack", "corner(pallet_jack-0"),
+        ("a living room. A tall plant marks the southwest corner", "plant", "corner(plant-0, 0)"),
+        ("a living room. Dominating the north wall is a bookshelf", "bookshelf", "against_wall(bookshelf-0, walls[2])"),
+        ("a living room where a sofa faces a TV stand across a coffee table", "across", "coffee_table-0 between sofa-0 and"),
+        ("a living room with two sofas facing each other, a coffee table in between", "between", "between sofa-0 and sofa-1"),
         ("a nursery with a round rug; a teddy bear sits on the rug", "teddy", "distance_constraint(teddy_bear-0, round_rug-0"),
     ],
 )  # fmt: skip

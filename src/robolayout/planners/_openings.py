@@ -103,7 +103,7 @@ def with_openings(
         first = min(OPENINGS.flanked if wishes.reading.flanked_door else OPENINGS.aside, spare / 2)
         offset = first + (1.0 - _aside(room, wall, along, wishes, full)) * (spare - 2 * first)
         offset = offset if not item.framed.along else _along(room, wall, spare, item.framed)
-        doors.append(Opening(wall, round(max(offset, 0.0), 2), width, height))
+        doors += _free_of(room, doors, Opening(wall, round(max(offset, 0.0), 2), width, height))
     more = max(1 + int(rng.integers(0, 2)), int(room.area / OPENINGS.window_each)) if room.area > OPENINGS.small else 1
     room, taken = replace(room, doors=tuple(doors)), {d.wall for d in doors}
     high = _held(room, wishes, OPENINGS.sill)
@@ -129,11 +129,12 @@ def _wanted(reading: Reading, kind: str, usual: int, most: int) -> list[Wanted]:
         for i, wall in enumerate(walls):  # "windows in the north and west walls"
             share = max(count * (i + 1) // len(walls) - count * i // len(walls), 1)
             found.append(Wanted(share * (place.number != 0), wall, bool(large), place.opening or UNTOLD))
-    objects = [place for link in reading.parsed.links for place in places(link.objects)]
+    spots = [place for link in reading.parsed.links for place in places(link.objects)]
+    objects = [*spots, *(place.by[1] for place in spots if place.by)]  # "the corner by the door"
     told = {(sides(o),): o for o in objects if o.name == kind and sides(o)}
     there = {word for wanted in found for word in wanted.wall.words}
     found += [Wanted(o.number or 1, o, framed=o.opening or UNTOLD) for o in told.values() if not {*sides(o)} & there]
-    spoken = [o for o in (*objects, *(o.by[1] for o in objects if o.by)) if o.name == kind and not o.words]
+    spoken = [o for o in objects if o.name == kind and not o.words]
     several = any(o.plural for o in spoken)
     if not found and any(o.det in ("each", "both", "all") for o in spoken):
         return [Wanted(2)]  # as many as the reader takes them for
@@ -290,6 +291,15 @@ def _windows(
                 told = _along(room, wall, room.walls[wall].length - width, item.framed)
                 first = min(max(told, begin + number * share), begin + (number + 1) * share - width)
             yield Opening(wall, round(first, 2), width, height, sill)
+
+
+def _free_of(room: Room, doors: Sequence[Opening], door: Opening) -> list[Opening]:
+    """Return a door where it is, or where on its wall it is beside the others; none where there is no room for it."""
+    others = [one for one in doors if one.wall == door.wall]
+    spare = room.walls[door.wall].length - door.width
+    places = (door.offset, *(round(max(spare * share, 0.0), 2) for share in (0.1, 0.9, 0.5)))
+    free = (at for at in places if all(at + door.width <= o.offset or o.offset + o.width <= at for o in others))
+    return [replace(door, offset=at) for at in free][:1]
 
 
 def _along(room: Room, wall: int, spare: float, told: Framed) -> float:

@@ -93,6 +93,9 @@ class _Told:
             NOTHING, kind="rel", value="in", adjectives=("in",), start=self.wall.start, end=self.wall.start + 1
         )
         opening = replace(self.opening, opening=self.framed if self.framed != Framed() else None)
+        if self.to_it:  # "the corner farthest from the door, which is in the middle of the south wall"
+            told = tuple(word for word in self.wall.adjectives if sides(replace(self.wall, adjectives=(word,))))
+            return [replace(opening, adjectives=(*opening.adjectives, *told), end=self.end)]
         return [opening, led, replace(self.wall, end=self.end)]
 
     def _peek(self, at: int) -> Chunk:
@@ -149,7 +152,12 @@ class _Told:
         if self._walled(at + 1) and "end" not in to.adjectives:
             self.wall = to
             return at + 2
-        if to.kind == "part" and (to.value == "corner" or "end" in to.adjectives) and not self.framed.along:
+        ended = (
+            to.value == "corner"
+            or "end" in to.adjectives
+            or (to.value == "side" and {"left", "right"} & {*to.adjectives})
+        )
+        if to.kind == "part" and ended and not self.framed.along:
             beyond = at + 2 + (self._peek(at + 2).value == "of")
             if not (self._walled(beyond) or self.wall.kind) and to.value == "corner" and sides(to)[1:]:
                 self.wall = replace(to, value="wall", adjectives=to.adjectives[:1])  # "a door in the north west corner"
