@@ -306,7 +306,7 @@ def _along(room: Room, wall: int, spare: float, told: Framed) -> float:
     """Return how many metres from the start of its wall something is told to be, which leaves so many metres of it."""
     if told.along == "middle":
         return spare / 2
-    off = min(told.off or OPENINGS.aside, spare / 2 if not told.off else spare)
+    off = min(told.off, spare) if told.off else min(OPENINGS.aside, spare / 2)
     return spare - off if ends_there(room.walls[wall], told.along) else off
 
 

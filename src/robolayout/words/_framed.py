@@ -58,11 +58,9 @@ def _width(chunk: Chunk) -> Framed | None:
         return None
     if measure.kind == "height":
         return Framed(height=measure.values[0])
-    return (
-        None
-        if measure.kind not in WIDTHS
-        else Framed(width=measure.values[0], height=measure.values[1] if measure.kind == "size" else 0.0)
-    )
+    if measure.kind not in WIDTHS:
+        return None
+    return Framed(width=measure.values[0], height=measure.values[1] if measure.kind == "size" else 0.0)
 
 
 @dataclass(eq=False)
@@ -94,8 +92,7 @@ class _Told:
         )
         opening = replace(self.opening, opening=self.framed if self.framed != Framed() else None)
         if self.to_it:  # "the corner farthest from the door, which is in the middle of the south wall"
-            told = tuple(word for word in self.wall.adjectives if sides(replace(self.wall, adjectives=(word,))))
-            return [replace(opening, adjectives=(*opening.adjectives, *told), end=self.end)]
+            return [replace(opening, adjectives=(*opening.adjectives, *sides(self.wall)), end=self.end)]
         return [opening, led, replace(self.wall, end=self.end)]
 
     def _peek(self, at: int) -> Chunk:

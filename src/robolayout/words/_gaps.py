@@ -123,19 +123,20 @@ class HowFar(AtPlaces):
 
     def _far(self, it: Asked) -> Iterator[Demand]:
         x0, y0, x1, y1 = self.room.bounds
-        least = round(max(ways_of.LEAST_FAR, ways_of.FAR_SHARE * max(x1 - x0, y1 - y0)), 2)
-        to = [(a, point) for a in it.subjects for place in it.places for point in self._points(place)]
-        for a, b in (*to, *((a, AssetRef(b)) for a in it.subjects for b in it.others if a != b)):
-            yield single(stated("distance_constraint", AssetRef(a), b, least))
+        least = max(ways_of.LEAST_FAR, ways_of.FAR_SHARE * max(x1 - x0, y1 - y0))
+        yield from self._off(it, dict.fromkeys(it.subjects, least))
 
     def _farthest(self, it: Asked) -> Iterator[Demand]:
         """As far from a thing as at least one corner of the room is, wherever that thing stands."""
         x0, y0, x1, y1 = self.room.bounds
-        for a in it.subjects:
-            least = max(ways_of.LEAST_FAR, (math.hypot(x1 - x0, y1 - y0) - math.hypot(*self._asset(a).size[:2])) / 2)
-            points = (point for place in it.places for point in self._points(place))
-            for b in (*points, *(AssetRef(b) for b in it.others if a != b)):
-                yield single(stated("distance_constraint", AssetRef(a), b, round(least, 2)))
+        across = {a: math.hypot(x1 - x0, y1 - y0) - math.hypot(*self._asset(a).size[:2]) for a in it.subjects}
+        yield from self._off(it, {a: max(ways_of.LEAST_FAR, metres / 2) for a, metres in across.items()})
+
+    def _off(self, it: Asked, least: Mapping[str, float]) -> Iterator[Demand]:
+        """Yield that each thing is at least so far from every place and thing that it is said to be far from."""
+        to = [(a, point) for a in it.subjects for place in it.places for point in self._points(place)]
+        for a, b in (*to, *((a, AssetRef(b)) for a in it.subjects for b in it.others if a != b)):
+            yield single(stated("distance_constraint", AssetRef(a), b, round(least[a], 2)))
 
     def _end_of_a_top(self, side: str, a: str, b: str) -> Demand:
         """At one end of a top, as who sits at it has it on the left or right; at any of both if no side is said."""

@@ -115,14 +115,15 @@ def is_framed(room: Room, opening: Opening, told: Framed) -> bool:
     """Return whether a door or window is as wide and high as is told, and where along its wall."""
     wall = room.walls[opening.wall]
     before, after = opening.offset, wall.length - opening.offset - opening.width
-    as_wide = not told.width or abs(opening.width - told.width) <= FRAME
-    as_high = not told.height or abs(opening.height - told.height) <= FRAME
+    sizes = ((opening.width, told.width), (opening.height, told.height))
+    if any(wanted and abs(own - wanted) > FRAME for own, wanted in sizes):
+        return False
     if not told.along:
-        return as_wide and as_high
+        return True
     if told.along == "middle":
-        return as_wide and as_high and abs(before - after) <= 2 * AMID
+        return abs(before - after) <= 2 * AMID
     near, far = (after, before) if ends_there(wall, told.along) else (before, after)
-    return as_wide and as_high and (abs(near - told.off) <= AMID if told.off else near <= min(far, BY_AN_END))
+    return abs(near - told.off) <= AMID if told.off else near <= min(far, BY_AN_END)
 
 
 def openings(room: Room, kind: str) -> tuple[Opening, ...]:

@@ -134,7 +134,7 @@ class _RowMaker:
             yield row
             yield from self._left_out(link, row)
         for noun, span in parsed.refused:
-            yield self._refusal(noun.words, {noun.kind, *self.reading.refused(noun)}, self.reading.span(*span))
+            yield self._refusal(noun.words, self.reading.refused(noun), self.reading.span(*span))
         yield from self._unread()
 
     def _unread(self) -> Iterator[Unjudged]:

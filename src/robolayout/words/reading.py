@@ -109,13 +109,14 @@ class Reading:
     @property
     def unwanted(self) -> frozenset[str]:
         """Kinds that must not be there."""
-        return frozenset(kind for noun, _ in self.parsed.refused for kind in (noun.kind, *self.refused(noun)))
+        return frozenset(kind for noun, _ in self.parsed.refused for kind in self.refused(noun))
 
     def refused(self, noun: Noun) -> set[str]:
-        """Return further kinds that are refused with a noun: with chairs office chairs, but not what is asked for."""
+        """Return the kinds that are refused with a noun: with chairs office chairs, too, but not what is asked for."""
         asked = {kind for thing in self.parsed.things for kind in (thing.noun.kind, *thing.noun.others)}
         alike = noun.said == noun.kind and not noun.guessed
-        return {kind for kind in noun.kinds if alike and kind.split()[1:] and kind.split()[-1] == noun.kind} - asked
+        further = {kind for kind in noun.kinds if alike and kind.split()[1:] and kind.split()[-1] == noun.kind}
+        return {noun.kind, *(further - asked)}
 
     @property
     def airy(self) -> bool:

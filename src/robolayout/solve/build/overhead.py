@@ -104,10 +104,8 @@ def _hang_lined(site: Site, names: Sequence[str]) -> bool:
     if row is None or row.rows != 1 or {*row.asset_names()} != {*names}:
         return False
     wide = max(site.size(name)[1] for name in names)
-    first, half = (
-        (wide + row.gap) * (1 - len(names)) / 2,
-        (wide * len(names) + row.gap * (len(names) - 1)) / 2 + WALL_GAP,
-    )
+    first = (wide + row.gap) * (1 - len(names)) / 2
+    half = wide / 2 - first + WALL_GAP
     places = list[tuple[Wall, float, float]]()
     for wall in site.room.walls:
         for t in {wall.length / 2, *np.arange(half, wall.length - half, HANGING.step).tolist()}:
