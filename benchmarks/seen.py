@@ -168,7 +168,8 @@ PAIRS: dict[str, Callable[[Room, str, str], bool]] = {
     "opposite": lambda room, a, b: _before(room, a, b, 15.0) or _before(room, b, a, 15.0),
     "above": _over,
     "under": lambda room, a, b: (
-        room.outline(a).intersection(room.outline(b)).area > 0.01 and room.box(a)[3] <= room.box(b)[2] + 0.03
+        room.outline(a).intersection(room.outline(b)).area > 0.01
+        and room.box(a)[3] <= max(room.box(b)[2] + 0.03, room.box(b)[3] - 0.02)
     ),
 }
 
@@ -208,18 +209,19 @@ def in_half(room: Room, a: str, side: str) -> bool:
     """Return whether the middle of a thing lies in a half of the floor."""
     (x, y, _), shape = room.pose(a), Polygon(room.floor).bounds
     cx, cy = (shape[0] + shape[2]) / 2, (shape[1] + shape[3]) / 2
-    return {"left": x < cx, "right": x > cx, "front": y < cy, "back": y > cy}[side]
+    halves = {"west": x < cx, "east": x > cx, "south": y < cy, "north": y > cy}
+    return halves[{"left": "west", "right": "east", "front": "south", "back": "north"}.get(side, side)]
 
 
-def _obstacles(room: Room, but: str = "") -> list[Polygon]:
-    """Return the footprints of what a person walks around."""
+def obstacles(room: Room, but: str = "") -> dict[str, Polygon]:
+    """Return the footprints of what a person walks around, by the things."""
     boxes = {name: room.box(name) for name in room.layout if name != but}
-    return [room.outline(name) for name, (_, _, bottom, top) in boxes.items() if bottom < 1.8 and top > 0.05]
+    return {name: room.outline(name) for name, (_, _, bottom, top) in boxes.items() if bottom < 1.8 and top > 0.05}
 
 
 def _way_to(room: Room, a: str) -> bool:
     """Whether a disc 0.5 m wide gets from a door to within 0.5 m of a thing."""
-    blocked = unary_union([shape.buffer(0.25) for shape in _obstacles(room)])
+    blocked = unary_union([shape.buffer(0.25) for shape in obstacles(room).values()])
     free = Polygon(room.floor).buffer(-0.25).difference(blocked)
     parts = getattr(free, "geoms", [free])
     doors = room.openings("doors")
@@ -230,7 +232,7 @@ def open_middle(room: Room) -> bool:
     """Whether nothing stands within 0.15 of the shorter side of the room from its middle."""
     x0, y0, x1, y1 = Polygon(room.floor).bounds
     disc = Point((x0 + x1) / 2, (y0 + y1) / 2).buffer(0.15 * min(x1 - x0, y1 - y0))
-    return not any(disc.intersects(shape) for shape in _obstacles(room))
+    return not any(disc.intersects(shape) for shape in obstacles(room).values())
 
 
 def _in_a_row(room: Room, names: list[str]) -> bool:

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 from benchmarks import __main__ as command
-from benchmarks import bodies, page, words
+from benchmarks import bodies, demands, page, words
 from benchmarks.measures import SHARES
 from benchmarks.rooms import Crowd, crowd
 from benchmarks.seen import Room
@@ -46,15 +46,15 @@ def test_every_section_has_cases_with_names_of_their_own() -> None:
 
 def test_a_demand_is_dropped_where_no_row_is_about_it() -> None:
     row = AskedRow("plant in corner", "relation", "", ("plant-0",), "unmet", "")
-    demands = [
-        words.Demand("corner", ("plant",)),
-        words.Demand("wall", ("plant",)),
-        words.Demand("near", ("plant", "bed")),
+    asked = [
+        demands.Demand("corner", ("plant",)),
+        demands.Demand("wall", ("plant",)),
+        demands.Demand("near", ("plant", "bed")),
     ]
-    prompt = words.Prompt("", tuple(demands))
+    prompt = demands.Prompt("", tuple(asked))
     square = {"boundary": {"floor_vertices": [[0, 0], [4, 0], [4, 4], [0, 4]], "wall_height": 2.6}, "assets": {}}
     room = Room(square, {})
-    assert words.dropped(prompt, [False] * 3, room, [row]) == demands[1:]
+    assert words.dropped(prompt, [False] * 3, room, [row]) == asked[1:]
     assert words.dropped(prompt, [False, True, True], room, [row]) == []
 
 
@@ -71,8 +71,8 @@ def test_who_sits_at_two_desks_that_face_each_other_looks_over_their_backs(kind:
         "a": {"position": [1.0, 2.0, 0.35], "rotation": [0, 0, turn]},
         "b": {"position": [3.0, 2.0, 0.35], "rotation": [0, 0, turn + 180]},
     }
-    prompt = words.Demand("facing", (kind, kind))
-    assert words.related(Room(square, layout), prompt, 2) is met
+    prompt = demands.Demand("facing", (kind, kind))
+    assert demands.related(Room(square, layout), prompt, 2) is met
 
 
 def test_what_is_measured_is_kept_and_not_measured_again(tmp_path: Path) -> None:
@@ -141,3 +141,79 @@ def test_the_page_says_what_minding_reach_is_worth_for_each_body() -> None:
     text = bodies.section({f"reach/{ways[1]}/spot/bedroom/0": poor, f"reach/{ways[3]}/spot/bedroom/0": rich}, Path())
     assert f"| body | {ways[1]} | {ways[3]} |" in text
     assert "| spot | 0.50 / 0.50 / 0.50 | 1.00 / 1.00 / 1.00 |" in text
+
+
+def _placed(**things: tuple[str, float, float, float]) -> Room:
+    """A room of 6 by 4 m whose door is in the south wall, and things of 0.6 by 1.2 by 0.8 m by kind, place and yaw."""
+    box = {"boundingBox": {"x": 0.6, "y": 1.2, "z": 0.8}}
+    scene = {
+        "boundary": {"floor_vertices": [[0, 0], [6, 0], [6, 4], [0, 4]], "wall_height": 2.6},
+        "assets": {name: {"category": kind, "assetMetadata": box} for name, (kind, *_) in things.items()},
+        "doors": [{"wall": 0, "offset": 0.3, "width": 0.9}],
+    }
+    layout = {name: {"position": [x, y, 0.4], "rotation": [0, 0, yaw]} for name, (_, x, y, yaw) in things.items()}
+    return Room(scene, layout)
+
+
+@pytest.mark.parametrize(
+    ("asked", "met"),
+    [
+        ("atwall north desk", True),
+        ("atwall south desk", False),
+        ("wallmiddle desk", True),
+        ("wallmiddle bookcase", False),
+        ("longwall desk", True),
+        ("shortwall desk", False),
+        ("incorner north-east bookcase", True),
+        ("incorner southwest bookcase", False),
+        ("cornerfar bookcase", True),
+        ("doorside desk", False),
+        ("samewall bookcase, desk", True),
+        ("samewall bookcase, bench", False),
+        ("otherwall bench, desk", True),
+        ("apart >=1 desk, bench", True),
+        ("apart <=1 desk, bench", False),
+        ("apart 2.8 desk, bench", True),
+        ("wide 1.2 desk", True),
+        ("wide 2 desk", False),
+        ("high 0.8 desk", True),
+        ("free front 2 desk", True),
+        ("free front 3.5 desk", False),
+        ("free right 1 bookcase", False),
+        ("rows 1 locker", True),
+        ("rows 3 locker", False),
+        ("back locker", True),
+        ("back bench", False),
+        ("each samewall 1 bookcase, desk", True),
+        ("each samewall 2 bookcase, desk", False),
+        ("next 1 locker, bench", False),
+        ("desk 1", True),
+        ("desk >=2", False),
+        ("high chair 0", True),
+        ("left bench, door", True),
+        ("right bench, door", False),
+        ("left locker, door", False),
+        ("opposite desk, door", True),
+        ("apart >=3 desk, door", True),
+        ("wide 0.9 door", True),
+        ("wallmiddle door", False),
+        ("facing desk, door", False),
+        ("doorwall south", True),
+        ("doorwall north", False),
+    ],
+)
+def test_demands_are_judged_by_plain_geometry(asked: str, met: bool) -> None:
+    room = _placed(
+        desk=("desk", 3.0, 3.7, 270),
+        bookcase=("bookcase", 5.7, 3.4, 180),
+        bench=("bench", 3.0, 0.3, 90),
+        one=("locker", 1.0, 2.0, 0),
+        two=("locker", 0.4, 2.0, 180),
+    )
+    assert demands.verdicts(demands.Prompt("", (demands.demand(asked),)), room, "office") == [met]
+
+
+@pytest.mark.parametrize("text", ["wide desk", "upon lamp, desk", "each on lamp, desk", "apart desk, bed"])
+def test_what_is_no_demand_is_refused(text: str) -> None:
+    with pytest.raises(ValueError, match=r"is no demand|has no number"):
+        demands.demand(text)
