@@ -41,6 +41,9 @@ RELATIONS = (*PAIRS, "between", *placed.PAIRS, "apart", *PLACES, *SIZES)
 SIDED = ("half", "atwall", "incorner", "free")
 """Kinds whose first word is a side."""
 
+AUDIENCE = 6
+"""So many things that look at one stand in straight rows: those that look the same way as one that faces it do, too."""
+
 
 @dataclass(frozen=True)
 class Demand:
@@ -148,7 +151,7 @@ def related(room: Room, demand: Demand, wanted: int) -> bool:
     if demand.kind == "openmiddle":
         return open_middle(room)
     if demand.about[0] in placed.OPENINGS:
-        return placed.opening_is(room, demand.about[0], demand.kind, demand.number)
+        return placed.opening_is(room, demand.about[0], demand.kind, demand.number, demand.side)
     things = room.find(demand.about[0])
     if not things:
         return False
@@ -157,6 +160,8 @@ def related(room: Room, demand: Demand, wanted: int) -> bool:
     if demand.kind == "rows":
         return placed.in_rows(room, things, int(demand.number))
     good = [a for a in things if _good(room, demand, a)]
+    if demand.kind == "facing" and len(things) >= AUDIENCE:
+        good = [a for a in things if any(placed.look_alike(room, a, b) for b in good)]
     return len(good) >= min(wanted, len(things)) > 0
 
 

@@ -11,7 +11,7 @@ from itertools import pairwise
 
 from shapely import LineString, Point, Polygon
 
-from benchmarks.seen import Room, obstacles, turned_to
+from benchmarks.seen import Room, in_half_at, obstacles, turned_to
 
 SIDES = {
     "north": "north", "back": "north", "rear": "north", "far": "north", "south": "south", "front": "south",
@@ -99,6 +99,11 @@ AT: dict[str, Callable[[Room, str], bool]] = {
 """Places at the walls and corners of a room."""
 
 
+def look_alike(room: Room, a: str, b: str) -> bool:
+    """Return whether two things look the same way."""
+    return abs(math.remainder(room.pose(a)[2] - room.pose(b)[2], math.tau)) <= math.radians(5)
+
+
 def _at_one_wall(room: Room, a: str, b: str) -> bool:
     return bool(
         {side_of(room, wall) for wall in walls_at(room, a)} & {side_of(room, wall) for wall in walls_at(room, b)}
@@ -158,13 +163,13 @@ def to_opening(room: Room, a: str, kind: str, noun: str, told: tuple[str, float]
 
 
 def _is_beside(room: Room, shape: Polygon, line: LineString, side: int) -> bool:
-    """Whether a thing is at most 2 m to the left (1) or right (-1) of an opening, seen from the room."""
+    """Whether a thing is at most 4 m to the left (1) or right (-1) of an opening, seen from the room."""
     (ax, ay), (bx, by) = line.coords
     turn = side * (
         1 if Polygon(room.floor).exterior.is_ccw else -1
     )  # an outline that turns left runs to the left of who looks out
     along = turn * ((shape.centroid.x - (ax + bx) / 2) * (bx - ax) + (shape.centroid.y - (ay + by) / 2) * (by - ay))
-    return along > 0 and line.distance(shape) <= 2.0
+    return along > 0 and line.distance(shape) <= 4.0
 
 
 def _is_across(room: Room, a: str, line: LineString) -> bool:
@@ -179,13 +184,19 @@ def _is_across(room: Room, a: str, line: LineString) -> bool:
     return any(facing) or room.outline(a).intersects(inwards)
 
 
-def opening_is(room: Room, noun: str, kind: str, metres: float) -> bool:
-    """Return whether a door or window is so wide, or in the middle of its wall."""
-    if kind == "wallmiddle":
+def opening_is(room: Room, noun: str, kind: str, metres: float, side: str) -> bool:
+    """Return whether a door or window is so wide, in the middle of its wall, in a long or short one, or in a half of the room."""
+    lines = _lines(room, noun)
+    if kind == "half":
+        return any(in_half_at(room, line.centroid.x, line.centroid.y, side) for line in lines)
+    if kind in ("wallmiddle", "shortwall", "longwall"):
         walls = [LineString(room.walls[item["wall"]]) for item in room.scene.get(f"{noun}s", [])]
-        pairs = zip(walls, _lines(room, noun), strict=True)
+        lengths = sorted(_length(room, wall) for wall in range(len(room.walls)))
+        if kind != "wallmiddle":
+            return any(abs(wall.length - lengths[-(kind == "longwall")]) <= 0.05 for wall in walls)
+        pairs = zip(walls, lines, strict=True)
         return any(wall.interpolate(0.5, normalized=True).distance(line.centroid) <= 0.25 for wall, line in pairs)
-    return kind == "wide" and any(abs(line.length - metres) <= 0.1 for line in _lines(room, noun))
+    return kind == "wide" and any(abs(line.length - metres) <= 0.1 for line in lines)
 
 
 def measures(room: Room, a: str, kind: str, metres: float, side: str) -> bool:

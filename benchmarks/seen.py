@@ -16,8 +16,8 @@ from shapely.ops import unary_union
 TWO_FRONTS = ("desk", "table", "counter")
 """Last words of what faces a thing when who sits at it does."""
 
-LOWEST_SEAT = 0.2
-"""Metres above the floor of a thing from which on what is within its box can stand on it: a seat, a mattress, a board."""
+LOWEST_SEAT = 0.05
+"""Metres above the floor of a thing from which on what is within its box can stand on it: a seat, a mattress, the lowest board."""
 
 ALSO = {"shelf": "shelving unit", "stool": "bar stool", "sink": "washbasin", "toy": "toy box"}
 """Names under which the catalogue keeps what a word says."""
@@ -207,7 +207,12 @@ def _is_diagonal(room: Room, a: str) -> bool:
 
 def in_half(room: Room, a: str, side: str) -> bool:
     """Return whether the middle of a thing lies in a half of the floor."""
-    (x, y, _), shape = room.pose(a), Polygon(room.floor).bounds
+    return in_half_at(room, *room.pose(a)[:2], side)
+
+
+def in_half_at(room: Room, x: float, y: float, side: str) -> bool:
+    """Return whether a point lies in a half of the floor."""
+    shape = Polygon(room.floor).bounds
     cx, cy = (shape[0] + shape[2]) / 2, (shape[1] + shape[3]) / 2
     halves = {"west": x < cx, "east": x > cx, "south": y < cy, "north": y > cy}
     return halves[{"left": "west", "right": "east", "front": "south", "back": "north"}.get(side, side)]

@@ -197,6 +197,8 @@ def _placed(**things: tuple[str, float, float, float]) -> Room:
         ("apart >=3 desk, door", True),
         ("wide 0.9 door", True),
         ("wallmiddle door", False),
+        ("half west door", True),
+        ("shortwall door", False),
         ("facing desk, door", False),
         ("doorwall south", True),
         ("doorwall north", False),

@@ -189,10 +189,12 @@ class AtSides(HowFar):
             yield Demand(((*at_wall, above), (on_top,))) if self._asset(a).on_object else single(above)
 
     def _aloft(self, it: Asked) -> Iterator[Demand]:
-        """Hung on a wall, its middle so many metres above the floor."""
+        """Hung on a wall, its middle so many metres above the floor, or its lower edge: what is told of is that share of its height up."""
+        height, share = it.metres
         for a in it.subjects:
             if self._asset(a).on_wall:
-                yield single(stated("mounted_on", AssetRef(a), None, it.metres[0]))
+                middle = round(height + (0.5 - share) * self._asset(a).size[2], 3)
+                yield single(stated("mounted_on", AssetRef(a), None, middle))
 
     def _across_a_top(self, b: str, items: Sequence[str], sided: str) -> Iterator[Way]:
         """Yield how two who sit at a table or desk look at each other over it: who has a manicure, and who gives it."""

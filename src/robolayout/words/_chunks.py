@@ -241,6 +241,8 @@ class Chunker(ClosedWords):
             named = not run and self.lexicon.noun(self.words[i : i + 3]) is not None  # "first aid kit"
             if stops or counts or (word in small.DETERMINERS and not named) or self._closed(i, run, many):
                 break
+            if run and self._goes_on(i, run):
+                break
             run.append(word)
             i += 1
         return run
@@ -320,7 +322,7 @@ class Chunker(ClosedWords):
             basement = det == "the" and run[-1] in self.grammar.places
             if end == len(run) and whole and (part := "room" if basement else self.lexicon.part_like(run)):
                 return Chunk("part", at, i + end, part, None, det, number, bound, adjectives=tuple(run[:-1]))
-            if end == len(run) and whole and self._promises(run):
+            if end == len(run) and whole and self._promises(run) and self._is_noun(i + end - 1, det):
                 noun = self.lexicon.guess(run)
                 return Chunk("thing", at, i + end, "", noun, det, number, bound, _plural(run[-1], noun), (), rows=rows)
         return None
@@ -414,9 +416,23 @@ class Chunker(ClosedWords):
         closed = word in small.DETERMINERS or word in self.grammar.fillers or count_of(word) is not None
         if self._word(at - 1) == "for" and not closed:
             return Chunk("function", at, at + 1, word)  # "a bowl for keys"
-        if closed or word in small.BREAKING:
+        told = "" if closed or word in small.BREAKING else self._class(at)
+        if (
+            closed
+            or word in small.BREAKING
+            or told == "joining"
+            or (told == "name" and self._word(at - 1) in small.DETERMINERS)
+        ):
             return Chunk("filler", at, at + 1, word)
-        return Chunk("other", at, at + 1, word)
+        if told in ("does", "done", "doing"):
+            return Chunk("verb", at, at + 1, word if word in small.WALKING else told)
+        ends = self._word(at + 1) in ("", *MARKS, *small.JOINING)
+        told = "adjective" if told == "noun" and ends and self._word(at - 1) in ("in", "with", "and") else told
+        led = self._class(at + 1) in ("adjective", "done") or self._word(at + 1) in self.grammar.styles
+        style = told == "adjective" or (
+            told == "adverb" and led
+        )  # "clad in slate", "softly lit", but not "symmetrically"
+        return Chunk("style" if style else "other", at, at + 1, word)
 
 
 def _plural(word: str, noun: Noun | None) -> bool:

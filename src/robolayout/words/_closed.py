@@ -4,12 +4,17 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
+from functools import cached_property
 from itertools import takewhile
 
 from robolayout.words import _function_words as small
 from robolayout.words._chunk import MARKS, ROWS, SOME
 from robolayout.words._lexicon import LONGEST, Lexicon, grammar
+from robolayout.words._speech import classes
 from robolayout.words._tokens import Measure, Token, count_of
+
+UNREAD = "unreadable"
+"""What stands for a phrase that is not to be understood, see `reworded.toml`."""
 
 
 def heaped(words: Sequence[str]) -> list[str]:
@@ -41,6 +46,36 @@ class ClosedWords:
         meant = {i: word.measure for i, word in enumerate(words) if word.measure is not None}
         self.measured |= meant
         self.after |= {i: i + 1 for i in meant}
+
+    @cached_property
+    def _classes(self) -> list[str]:
+        return classes(self.words)
+
+    def _class(self, i: int) -> str:
+        """Return the word class of a word that no list has, as it is used here; "" for all others."""
+        word, known = self._word(i), self.grammar
+        if not word.isalpha() or word in MARKS or count_of(word) is not None or self._begins_relation(i):
+            return ""
+        lists = (known.phrases, known.adjectives, known.parts, known.functions, known.places, self.lexicon.room_words)
+        small_words = (
+            *(small.BREAKING, small.DETERMINERS, small.WITH, small.JOINING, small.PEOPLE, small.REFUSING),
+            *(small.REACHED, small.USING, small.ABLE, (UNREAD,)),
+        )
+        nouns = (self.words[a : i + b] for a, b in ((i, 1), (max(i - 1, 0), 1), (i, 2)))
+        if any(word in words for words in (*lists, *small_words)) or any(map(self.lexicon.noun, nouns)):
+            return ""
+        return self._classes[i]
+
+    def _goes_on(self, i: int, run: Sequence[str]) -> bool:
+        """Return whether a word that no list has says what the thing before it does, or is joined to: "a palm softens"."""
+        told, known = self._class(i), self.lexicon.noun(run[-1:]) is not None
+        done = known and told in ("done", "doing") and not self.lexicon.noun(self.words[i + 1 : i + 2])
+        return done or told in ("does", "joining", "placing")  # but not "a paint splattered table"
+
+    def _is_noun(self, i: int, det: str) -> bool:
+        """Return whether a word that no list has can be a thing here: not "every morning", "the spacious"."""
+        told = self._class(i)
+        return not told or (told == "noun" and det != "each") or (told == "name" and det not in ("each", "the"))
 
     def _word(self, i: int) -> str:
         """Return the word at a place, "" outside of the text."""

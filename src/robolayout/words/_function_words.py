@@ -35,5 +35,7 @@ def __getattr__(name: str) -> frozenset[str]:
 
 REFUSING = __getattr__("NEGATING") | {"no", "without", "neither", "nor"}
 REACHED_FROM = __getattr__("SEATS") | __getattr__("SLEPT_ON") | {"desk"}
-AT_SIDES, COUNTERS, NEARBY, WATCHING = map(__getattr__, ("AT_SIDES", "COUNTERS", "NEARBY", "WATCHING"))
+AT_SIDES, COUNTERS, NEARBY, SPEAKING, WATCHING = map(
+    __getattr__, ("AT_SIDES", "COUNTERS", "NEARBY", "SPEAKING", "WATCHING")
+)
 TABLEWARE = __getattr__("TABLEWARE")

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import replace
 from itertools import pairwise
 
 from robolayout.words import _function_words as small
+from robolayout.words._acting import ACTING, is_somebody
 from robolayout.words._chunk import MARKS, Chunk
+from robolayout.words._closed import UNREAD
 from robolayout.words._lexicon import grammar
 from robolayout.words._said import Parsed, named
 from robolayout.words._tokens import count_of
@@ -31,10 +33,42 @@ def leftover(chunks: Sequence[Chunk], said: Parsed) -> list[Chunk]:
         for i, chunk in enumerate(clause):
             told = _named(chunk, said) or bool(covered.intersection(range(chunk.start, chunk.end)))
             told = told and chunk.start not in idle
+            told = told or (chunk.value in ACTING and any(is_somebody(before) for before in clause[:i]))
             if not told and _says(chunk, clause[i + 1 :]) and not (chunk.kind == "not" and refused):
                 found.setdefault(start, replace(chunk, start=named, end=end))
     alone = [c for c in said.missed if not any(f.start <= c.start < f.end for f in found.values())]
     return [*alone, *found.values()]
+
+
+def asides(chunks: Sequence[Chunk]) -> list[Chunk]:
+    """Return the clauses that ask nothing of a room: no thing, place, figure or refusal is in them, or only what somebody does there."""
+    found: list[Chunk] = []
+    for clause in _clauses(chunks, small.REASONS):
+        said = any(chunk.kind == "other" or chunk.value in ACTING for chunk in clause)
+        said = said and not any(chunk.value in (UNREAD, *small.REACHED) for chunk in clause)
+        asks = any(chunk.number or (count_of(chunk.value) or 0) > 1 for chunk in clause)
+        named = next((k for k, chunk in enumerate(clause) if chunk.kind == "room"), 0)
+        if said and not asks and ({chunk.kind for chunk in clause} <= {*small.ASIDE} or _is_done_by_somebody(clause)):
+            found.append(Chunk("aside", clause[0].start, clause[-1].end))
+        elif said and named and {chunk.kind for chunk in clause[:named]} <= {*small.ASIDE, "rel"}:
+            found += [
+                replace(c, kind="aside") for c in clause[:named] if c.kind == "other"
+            ]  # "our trials are in a lab"
+        parts = (part for part, verb in pairwise(clause) if part.kind == "part" and verb.value in ("done", "doing"))
+        found += [replace(part, kind="aside") for part in parts]  # "its walls wrapped in felt"
+    return found
+
+
+def _is_done_by_somebody(clause: Sequence[Chunk]) -> bool:
+    """Return whether a clause says what somebody does, of no new thing: "I don't trust the old window", "I trip over them"."""
+    words = [chunk for chunk in clause if chunk.kind not in ("and", "not")]
+    who = next((k for k, chunk in enumerate(words) if is_somebody(chunk)), None)
+    does = next((k for k, chunk in enumerate(words) if chunk.value in ACTING), -1)
+    if who == 0 and {chunk.kind for chunk in words} <= {*small.ASIDE, "rel"}:
+        return True
+    if who is None or any(chunk.kind not in ("filler", "verb", "style") for chunk in words[who + 1 : does]):
+        return False
+    return does > who and not any(c.kind in ("rel", "with", "measure") or c.det in ("a", "new") for c in words)
 
 
 def _idle(chunks: Sequence[Chunk], said: Parsed) -> set[int]:
@@ -70,18 +104,26 @@ def _says(chunk: Chunk, after: Sequence[Chunk]) -> bool:
         return False  # "its headboard touches the wall", "a bed whose headboard is against the wall"
     if chunk.kind == "verb" and chunk.value in small.LED:
         return not any(other.kind == "rel" for other in after)
+    if chunk.kind == "verb" and chunk.value in ACTING:
+        return [other.kind for other in after if other.kind != "filler"][:1] in (["thing"], ["part"])
+    if chunk.kind == "rel" and [other.kind for other in after if other.kind != "filler"][:1] in (
+        [kind] for kind in small.OF_NO_THING
+    ):
+        return False  # "clad in slate", "in my second year"
     leads = [other.kind for other in after[:1]] in (["rel"], ["measure"])  # "right behind"
     where = chunk.value in small.RELATING and not leads
     told = chunk.kind == "filler" and ((count_of(chunk.value) or 0) > 1 or where)
     return chunk.kind not in small.SILENT or told
 
 
-def _clauses(chunks: Sequence[Chunk]) -> list[list[Chunk]]:
-    """Return the chunks between one mark and the next."""
+def _clauses(chunks: Sequence[Chunk], begin: Collection[str] = ()) -> list[list[Chunk]]:
+    """Return the chunks between one mark and the next, or from a word with which a clause begins."""
     clauses: list[list[Chunk]] = [[]]
     for chunk in chunks:
         if chunk.kind in MARKS.values():
             clauses.append([])
         else:
+            if chunk.value in begin:
+                clauses.append([])
             clauses[-1].append(chunk)
     return [clause for clause in clauses if clause]

@@ -13,7 +13,7 @@ from itertools import dropwhile, takewhile
 
 from robolayout.words import _function_words as small
 from robolayout.words._chunk import NOTHING, ROWS, SOME, Chunk
-from robolayout.words._leftover import leftover
+from robolayout.words._leftover import asides, leftover
 from robolayout.words._relations import Relating
 from robolayout.words._said import Link, Mention, NamedThing, Parsed, Place, mentions, named, place_in, place_of
 from robolayout.words._tokens import count_of
@@ -39,7 +39,10 @@ class Parser(Relating):
         self._on_stop(None)
         for zone in self.zones.values():  # one after the other: what stands in one part is of no other
             self.said.links += [*zone.links(self.said)]
-        self.said.missed = leftover(self.chunks, self.said)
+        aside = asides(self.chunks)
+        self.said.facts += aside
+        spoken = [other for other in self.said.missed if not any(a.start <= other.start < a.end for a in aside)]
+        self.said.missed = leftover(self.chunks, replace(self.said, missed=spoken))
         return self.said
 
     def _on_stop(self, chunk: Chunk | None) -> None:

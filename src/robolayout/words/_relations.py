@@ -57,6 +57,15 @@ class Relating(Holding):
         if told and self._promised(chunk.number or 0, -3):
             self.said.facts[-1:] = [chunk, replace(chunk, kind="seats")]
 
+    def _of_the_subject(self, measure: Measure) -> bool:
+        """Note a height that no room has as that of what the sentence is about: "the table, where I fold, should be 0.9 m high"."""
+        about = (self.subject or self.group)[:1]
+        own = measure.kind == "height" and measure.values[0] < ROOMS["height"][0] and bool(about)
+        if own and measure.fits(about[0].thing.category.size):
+            about[0].thing.sizes.append(measure)
+            return True
+        return False
+
     def _on_measure(self, chunk: Chunk) -> None:
         """A measure of the thing before it, where it can be one ("a desk that is 1.6 m wide"); else of the room."""
         assert chunk.measure is not None
@@ -75,6 +84,8 @@ class Relating(Holding):
             self.gap = chunk  # "a table 40 cm in front of the sofa"
         elif thing is not None and own and chunk.measure.fits(thing.category.size):
             thing.sizes.append(chunk.measure)
+            self._understood(chunk)
+        elif self._of_the_subject(chunk.measure):
             self._understood(chunk)
         elif chunk.measure.kind in ("size", "area", "height", "grid"):
             chunk.measure.of_a_room()

@@ -58,19 +58,20 @@ class Spaces(About):
         return True
 
     def _hung_at(self, chunk: Chunk, measure: Measure) -> bool:
-        """Note how high the middle of a thing is that hangs on a wall: "a mirror 1.5 m above the floor"."""
+        """Note how high the middle, or the lower edge, of a thing is that hangs on a wall: "a mirror 1.5 m above the floor"."""
         last = (self.acted or self.group)[-1:]
         said = (last, self.holder if self.having else [])  # "shelves with toys at child height"
         found = ([one for one in there if one.walled or one.thing.noun.said == "shelf"] for there in said)
         hung = next((there for there in found if there), [])
         if self._ahead().value != "aloft" or not hung:
             return False
+        by_edge = "edge" in self._ahead().adjectives
         self.at += 1
         if not any("wall" in kind.places for one in hung for kind in one.thing.noun.categories):
             self.said.missed.append(chunk)  # "toy shelves at child height"
             return True
-        wall, height = Place("wall"), measure.values[0]
-        self.said.links.append(Link("aloft", (*hung,), (wall,), chunk.start, self._ahead(-1).end, (height, height)))
+        metres = (measure.values[0], 0.0 if by_edge else 0.5)
+        self.said.links.append(Link("aloft", (*hung,), (Place("wall"),), chunk.start, self._ahead(-1).end, metres))
         return True
 
     def _aisles(self, chunk: Chunk, measure: Measure) -> bool:

@@ -60,11 +60,11 @@ _HOW = r"[\s-]*(?:in\s+)?(long|wide|deep|across|diameter)\b"
 _FLAT = r"(?=\s+(?:\w+\s+)?(?:tv|television|monitor|screen))"
 _LENGTH = re.compile(rf"{_N}[\s-]*(?:({_LENGTHS}|in(?={_HOW}|{_FLAT}))(?:{_HOW}|({_FLAT}))?)", re.IGNORECASE)
 _APART = re.compile(
-    rf"(?:\b(?:(at least|no less than|more than|(?:no|not|none)(?: of them)? (?:closer|nearer) than)"
+    rf"(?:\b(?:(at least|(?:no|not) less than|more than|(?:no|not|none)(?: of them)? (?:closer|nearer) than)"
     r"|(at most|no more than|up to|less than|within))\s+)?"
     rf"(?:(?:between\s+)?{_N}{_U}\s*(?:to|and|or|-|\u2013)\s*)?"
     rf"{_N}{_U}\s*(?:apart|from (?:each other|one another)|(?:away )?from|off|of|to|"
-    rf"(?:of )?(?:(?:free|clear|empty) )?(?:space |distance |gap |passage |clearance )?between)\b",
+    rf"(?:of )?(?:(?:free|clear|empty) )?(?:space |floor |distance |gap |passage |clearance )?(?:left |kept )?between)\b",
     re.IGNORECASE,
 )
 Size = tuple[float, float, float]

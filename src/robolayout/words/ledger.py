@@ -166,8 +166,9 @@ class _RowMaker:
                 yield Unjudged(words, "people", "who uses the room", as_row.as_given)
             elif chunk.kind == "alone":
                 yield Unjudged(words, "refusal", "nothing that is not named", self._nothing_else)
-            elif chunk.kind == "corner":
-                yield Unjudged(words, "function", "a part of the room", as_row.taste)
+            elif chunk.kind in ("corner", "aside"):
+                said = "a part of the room" if chunk.kind == "corner" else "nothing that is asked of a room"
+                yield Unjudged(words, "function", said, as_row.taste)
             elif chunk.kind != "style":
                 yield Unjudged(words, chunk.kind, "what it is good for or made of", as_row.taste)
 

@@ -12,6 +12,7 @@ from robolayout._errors import SceneError
 from robolayout.assets import Category
 from robolayout.assets.palette import STYLED, WOODS
 from robolayout.words import _function_words as small
+from robolayout.words._acting import acted
 from robolayout.words._appositions import described
 from robolayout.words._chunk import Chunk
 from robolayout.words._chunks import Chunker
@@ -200,7 +201,7 @@ def read_text(text: str, lexicon: Lexicon) -> Reading:
     """
     read = text[:LONGEST]
     words = _said_besides(reworded(tokens(read)))
-    chunks = described(framed(Chunker(words, measures(read), lexicon).chunks()))
+    chunks = described(framed(acted(Chunker(words, measures(read), lexicon).chunks())))
     named = _place_named(chunks, words)
     if named is not None:
         chunks[named[0]] = named[1]

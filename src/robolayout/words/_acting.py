@@ -1,0 +1,110 @@
+"""Verbs that no list has, by what stands before and after them: "a palm softens the corner" is one that is in the corner."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from itertools import takewhile
+
+from robolayout.words._chunk import NOTHING, Chunk
+from robolayout.words._function_words import SPEAKING
+
+ACTING = ("does", "done", "doing")
+"""Values of verbs that no list has: finite ones, and participles."""
+AT = {"corner": "in", "middle": "in", "side": "in", "wall": "wall", "window": "near", "door": "near"}
+"""Relations in which a thing is that does something to such a place."""
+NEW = ("a", "", "new", "each")
+"""Articles of what is named for the first time."""
+
+
+def acted(chunks: Sequence[Chunk]) -> list[Chunk]:
+    """Return phrases with a relation in place of a verb that no list has, between two of which it says where they are."""
+    found = [_of_matter(chunks, i) for i in range(len(chunks))]
+    for i, verb in enumerate(chunks):
+        if verb.kind == "verb" and "where" not in _said(chunks, i):  # "a lamp stands where the desk meets the bed"
+            found[i : i + 2] = _instead(verb, found[i + 1 : i + 2], _subject(chunks, i), _next(chunks, i + 2))
+    return _places_first(found)
+
+
+def _places_first(chunks: Sequence[Chunk]) -> list[Chunk]:
+    """Return phrases with a place that holds something as where that is: "the corner by the door holds a lamp"."""
+    found = list(chunks)
+    for i in reversed(
+        [i for i, chunk in enumerate(chunks) if chunk.value == "holds" and _next(chunks, i + 1).kind == "thing"]
+    ):
+        since = [k for k, chunk in enumerate(chunks[:i]) if chunk.kind in ("stop", "colon", "comma", "and")]
+        first = since[-1] + 1 if since else 0
+        if chunks[first].value in ("corner", "middle", "side") and "thing" not in {c.kind for c in chunks[first:i]}:
+            found[i] = replace(chunks[i], kind="verb", value="is", adjectives=())
+            found.insert(
+                first, replace(NOTHING, kind="rel", start=chunks[first].start, end=chunks[first].end, value="in")
+            )
+    return found
+
+
+def _of_matter(chunks: Sequence[Chunk], i: int) -> Chunk:
+    """Return a phrase, no relation where it leads to what a thing is made of: "topped with honed oak", "lit from within"."""
+    led = chunks[i]
+    made = led.value == "holds" or (led.value == "in" and i > 0 and chunks[i - 1].value in ACTING)
+    matter = led.adjectives == ("within",) or _next(chunks, i + 1).kind in ("style", "other")
+    return replace(led, kind="filler") if made and matter and led.kind == "rel" else led
+
+
+def _instead(verb: Chunk, rest: list[Chunk], before: Chunk, beyond: Chunk) -> list[Chunk]:
+    """Return what a verb and the phrase after it say, by who or what does it and what it is done to."""
+    after = rest[0] if rest else NOTHING
+    used = after.kind == "rel" and beyond.kind == "thing" and beyond.det in NEW
+    if is_somebody(before) and used and (verb.value in ACTING or after.value in ("on", "in")):
+        return [replace(verb, value="is"), replace(after, kind="filler")]  # "customers wait on a sofa"
+    if verb.value not in ACTING:
+        return [verb, *rest]
+    if before.kind in (NOTHING.kind, "stop", "colon") and verb.value == "does" and after.kind == "thing":
+        return [replace(verb, value="place"), after]  # "scatter two plants in the room"
+    if verb.value == "done" and after.value == "by" and beyond.kind in ("thing", "part"):
+        return [verb, replace(after, kind="with", value="with")]  # "lit by a floor lamp"
+    if after.value in ("toward", "towards"):
+        return [verb, _relation(after, "facing")]  # "oriented toward the door"
+    return [_between(verb, before, after), *rest]
+
+
+def _between(verb: Chunk, before: Chunk, after: Chunk) -> Chunk:
+    """Return a verb, or the relation that it is between a thing and a place, or two things."""
+    places = [chunk.kind == "part" and chunk.value in AT for chunk in (before, after)]
+    if before.kind == "thing" and places[1]:
+        return _relation(verb, AT[after.value])
+    if places[0] and after.kind == "thing" and after.det in NEW:
+        return _relation(verb, "holds")  # "the corner shelters an armchair"
+    if before.kind == "thing" and after.kind == "thing" and verb.value != "done":
+        return replace(verb, kind="with", value="with") if after.det in NEW else _relation(verb, "near")
+    return verb
+
+
+def is_somebody(chunk: Chunk) -> bool:
+    """Return whether a phrase names people, or is a word for them."""
+    return chunk.kind in ("people", "body") or chunk.value in SPEAKING
+
+
+def _said(chunks: Sequence[Chunk], at: int) -> list[str]:
+    """Return the values of what stands before a phrase in its sentence."""
+    return [
+        chunk.value for chunk in takewhile(lambda chunk: chunk.kind not in ("stop", "colon"), reversed(chunks[:at]))
+    ]
+
+
+def _relation(verb: Chunk, name: str) -> Chunk:
+    return replace(verb, kind="rel", value=name, adjectives=(name,))
+
+
+def _next(chunks: Sequence[Chunk], at: int) -> Chunk:
+    return chunks[at] if at < len(chunks) else NOTHING
+
+
+def _subject(chunks: Sequence[Chunk], at: int) -> Chunk:
+    """Return the thing or place before a verb, over other verbs and small words; after a comma or "and" what begins the sentence."""
+    ended = [k for k, chunk in enumerate(chunks[:at]) if chunk.kind in ("stop", "colon")]
+    for chunk in reversed(chunks[:at]):
+        if chunk.kind in ("comma", "and", "with", "measure", "style"):
+            return _next(chunks, ended[-1] + 1 if ended else 0)
+        if chunk.kind not in ("verb", "filler") or is_somebody(chunk):
+            return chunk
+    return NOTHING
