@@ -41,7 +41,7 @@ RELATIONS = (*PAIRS, "between", *placed.PAIRS, "apart", *PLACES, *SIZES)
 SIDED = ("half", "atwall", "incorner", "free")
 """Kinds whose first word is a side."""
 
-AUDIENCE = 6
+AUDIENCE = 4
 """So many things that look at one stand in straight rows: those that look the same way as one that faces it do, too."""
 
 

@@ -169,7 +169,10 @@ PAIRS: dict[str, Callable[[Room, str, str], bool]] = {
     "above": _over,
     "under": lambda room, a, b: (
         room.outline(a).intersection(room.outline(b)).area > 0.01
-        and room.box(a)[3] <= max(room.box(b)[2] + 0.03, room.box(b)[3] - 0.02)
+        and (
+            room.box(a)[3] <= max(room.box(b)[2] + 0.03, room.box(b)[3] - 0.02)
+            or room.kind(a).endswith(("chair", "stool"))
+        )
     ),
 }
 

@@ -49,7 +49,7 @@ def rows(text: str) -> list[Unjudged]:
         ("a barbershop with three barber chairs along the left wall, each facing a mirror", "mounted_on(mirror-0, walls[1]), "),
         ("a lounge with a sofa with its back toward the dining table", "point_towards(sofa-0, dining_table-0, angle=180)"),
         ("a waiting room with eight chairs along two walls", "against_wall(chair-0, walls[1]), against_wall(chair-1, walls[1]), "),
-        ("a bedroom with two single beds half a metre apart", "single_bed-0 0.5 to 0.8 m from single_bed-1"),
+        ("a bedroom with two single beds half a metre apart", "single_bed-0 0.5 to 0.65 m from single_bed-1"),
         ("a study with a desk a metre from the window", "desk-0 1 to 1.3 m from ("),
         ("a pharmacy with three shelves in parallel", "in_rows([shop_shelf-0, shop_shelf-1, shop_shelf-2], aisle=0, 3)"),
         ("a hallway with a bench and a coat rack above the bench", "above(wall_hooks-0, bench-0)"),

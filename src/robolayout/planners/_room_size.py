@@ -73,7 +73,7 @@ def room_size(wishes: RoomWishes, wished: Mapping[str, int], stretch: float) -> 
     base = {name: count for name, count in wishes.room.base.items() if wishes.head(name) not in instead}
     area = given[0] if given else max(usual, wishes.floor_area({**base, **wished}) / share)
     if wishes.reading.shape == "L-shaped":
-        area *= 1.2
+        area *= 1 / 0.75 if given else 1.2  # a quarter of what is around it is cut out
     area *= max(1.0, wishes.reading.way / SIZES.way)
     ratio = wishes.reading.ratio or stretch * width / depth
     if wishes.reading.ratio and any(len(named(k.subjects)) > 2 and _sideways(k) for k in wishes.reading.parsed.links):

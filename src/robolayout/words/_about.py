@@ -298,7 +298,8 @@ class About(References):
         if self.target is not None and (told or (place and self.said.last.relation == "in")):
             return [self.target]  # "toys in a box under the window"
         if relation in small.ORDERS and last and last[0].thing.count == 1:
-            return list(self.group or self.subject)  # "fridge, stove and sink in a row"
+            several = any(one.several for one in self.acted)  # "three stools at it in a row"
+            return list(self.acted if several else self.group or self.subject)  # "fridge, stove and sink in a row"
         return laid or self._both_at_each(relation) or last
 
     def _looked_at_there(self) -> bool:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from itertools import takewhile
 
@@ -19,6 +19,7 @@ NEW = ("a", "", "new", "each")
 
 def acted(chunks: Sequence[Chunk]) -> list[Chunk]:
     """Return phrases with a relation in place of a verb that no list has, between two of which it says where they are."""
+    chunks = [*_each_with([_of_a_reason(chunks, i) for i in range(len(chunks))])]
     found = [_of_matter(chunks, i) for i in range(len(chunks))]
     for i, verb in enumerate(chunks):
         if verb.kind == "verb" and "where" not in _said(chunks, i):  # "a lamp stands where the desk meets the bed"
@@ -40,6 +41,30 @@ def _places_first(chunks: Sequence[Chunk]) -> list[Chunk]:
                 first, replace(NOTHING, kind="rel", start=chunks[first].start, end=chunks[first].end, value="in")
             )
     return found
+
+
+def _of_a_reason(chunks: Sequence[Chunk], i: int) -> Chunk:
+    """Return a phrase, no thing where it is of none that is known and in a clause that gives a reason, no refusal of what is done."""
+    chunk, before = chunks[i], _said(chunks, i)
+    unknown = chunk.noun is not None and bool(chunk.noun.guessed)
+    if unknown and {"because", "since"} & {*before} and not {"comma", ","} & {*before[: _since(before)]}:
+        return replace(chunk, kind="other", noun=None, value="reason")  # "because the heat ruins the tuning"
+    does = _next(chunks, i + 1).value in ACTING and i > 0 and is_somebody(chunks[i - 1])
+    return replace(chunk, kind="filler") if chunk.kind == "not" and does else chunk  # "I dont trust the window"
+
+
+def _each_with(chunks: Sequence[Chunk]) -> Iterator[Chunk]:
+    """Yield phrases without a participle between "each" and "with": "two tables, each crowned with a lamp"."""
+    for i, chunk in enumerate(chunks):
+        each = i > 0 and chunk.value == "done" and chunks[i - 1].value == "each"
+        before = chunks[i - 1] if i > 1 and chunks[i - 2].value == "each" else NOTHING
+        if not (each and _next(chunks, i + 1).kind == "with"):
+            yield replace(chunk, start=before.start) if before.value == "done" and chunk.kind == "with" else chunk
+
+
+def _since(values: Sequence[str]) -> int:
+    """Return how many phrases there are after a word that begins a reason."""
+    return next((k for k, value in enumerate(values) if value in ("because", "since")), 0)
 
 
 def _of_matter(chunks: Sequence[Chunk], i: int) -> Chunk:

@@ -355,6 +355,7 @@ class Chunker(ClosedWords):
                 return Chunk("room", at, k, room)
         odd = [k for k, word in enumerate(run) if word not in self.grammar.adjectives and not self.lexicon.noun([word])]
         item = at == i and self._word(at - 1) in ("", *MARKS, *small.JOINING) and odd and len(run[odd[0]]) > SHORT
+        item = item and self._class(i + odd[0]) in ("", "noun", "name", "adjective")  # not "ranged along the wall"
         noun = self.lexicon.slip(run[odd[0] :]) if item else None
         known = any(self._known(run[k:]) for k in range(len(run)))
         if noun is None or self.lexicon.noun(run[odd[0] :]) or (known and noun.kind.split()[-1:] != run[-1:]):

@@ -68,9 +68,12 @@ class ClosedWords:
 
     def _goes_on(self, i: int, run: Sequence[str]) -> bool:
         """Return whether a word that no list has says what the thing before it does, or is joined to: "a palm softens"."""
-        told, known = self._class(i), self.lexicon.noun(run[-1:]) is not None
-        done = known and told in ("done", "doing") and not self.lexicon.noun(self.words[i + 1 : i + 2])
-        return done or told in ("does", "joining", "placing")  # but not "a paint splattered table"
+        told, after = self._class(i), (self.words[i + 1 : i + 1 + size] for size in (1, 2, 3))
+        before_noun = any(self.lexicon.noun(words) is not None for words in after if words)
+        if self.words[i].endswith("ed") and before_noun:
+            return False  # "a paint splattered table"
+        done = told in ("done", "doing") and self.lexicon.noun(run[-1:]) is not None and not before_noun
+        return done or told in ("does", "joining", "placing")
 
     def _is_noun(self, i: int, det: str) -> bool:
         """Return whether a word that no list has can be a thing here: not "every morning", "the spacious"."""

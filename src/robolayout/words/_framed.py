@@ -29,7 +29,8 @@ def framed(chunks: Sequence[Chunk]) -> list[Chunk]:
     """Return phrases with what is said of each door or window in it, and its wall right behind it."""
     found, at = list[Chunk](), 0
     while at < len(chunks):
-        if chunks[at].kind != "part" or chunks[at].value not in ("door", "window"):
+        refused = at > 0 and chunks[at - 1].kind == "not"  # "without windows, 5 m long and 3 m wide" is the room
+        if chunks[at].kind != "part" or chunks[at].value not in ("door", "window") or refused:
             found.append(chunks[at])
             at += 1
             continue

@@ -50,6 +50,8 @@ def asides(chunks: Sequence[Chunk]) -> list[Chunk]:
         named = next((k for k, chunk in enumerate(clause) if chunk.kind == "room"), 0)
         if said and not asks and ({chunk.kind for chunk in clause} <= {*small.ASIDE} or _is_done_by_somebody(clause)):
             found.append(Chunk("aside", clause[0].start, clause[-1].end))
+        elif said and {chunk.kind for chunk in clause} <= {*small.ASIDE, "room", "measure"}:
+            found += [replace(c, kind="aside") for c in clause if c.kind == "other"]  # "our hallway is pure chaos"
         elif said and named and {chunk.kind for chunk in clause[:named]} <= {*small.ASIDE, "rel"}:
             found += [
                 replace(c, kind="aside") for c in clause[:named] if c.kind == "other"

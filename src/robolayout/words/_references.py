@@ -11,7 +11,7 @@ from robolayout.words._chunk import NOTHING, ROWS, Chunk
 from robolayout.words._counting import Counting
 from robolayout.words._lexicon import grammar
 from robolayout.words._said import Item, Link, Mention, NamedThing, Place, mentions, named, place_in, places
-from robolayout.words._tokens import APART
+from robolayout.words._tokens import about as about_so_far
 
 
 class References(Counting):
@@ -377,7 +377,7 @@ class References(Counting):
             self.gap = None
         if self.gap is not None and self.gap.measure is not None:  # "40 cm in front of the sofa"
             low = self.gap.measure.values[0]
-            self.said.links.append(Link("apart", *about, self.gap.start, chunk.end, (low, low + APART)))
+            self.said.links.append(Link("apart", *about, self.gap.start, chunk.end, (low, about_so_far(low))))
         self.gap = None
 
     def _at_a_side(

@@ -41,9 +41,10 @@ _U = rf"[\s-]*({_LENGTHS}|in\b)?"
 _BY = r"\s*(?:x|\u00d7|by|\*)\s*"
 _BLOCK = r"\s*(?:grid|block|formation|arrangement|array|matrix)"
 _SIZE = re.compile(rf"{_N}{_U}{_BY}{_N}{_U}(?:{_BY}{_N}{_U})?(?![\w\u00b2]|{_BLOCK})", re.IGNORECASE)
-_SIDES = re.compile(
-    rf"{_N}{_U}\s*(?:long|wide|deep)\s*(?:,|and|x|by)+\s*{_N}{_U}\s*(?:wide|long|deep)\b", re.IGNORECASE
+_ACROSS = (
+    r"(?:long|wide|deep|across|in (?:length|width|depth)|from (?:front to back|side to side|wall to wall|end to end))"
 )
+_SIDES = re.compile(rf"{_N}{_U}\s*{_ACROSS}\s*(?:,|and|x|by)+\s*{_N}{_U}\s*{_ACROSS}(?!\w)", re.IGNORECASE)
 _GRID = re.compile(
     rf"{_N}\s*(?:x|\u00d7|by)\s*{_N}{_BLOCK}|{_N}\s+rows?\s+(?:and|of|by|x)\s+{_N}\s+columns?", re.IGNORECASE
 )
@@ -56,7 +57,8 @@ _HEIGHT = re.compile(
     rf"|(?:no|not) (?:higher|taller) than {_N}{_U}",
     re.IGNORECASE,
 )
-_HOW = r"[\s-]*(?:in\s+)?(long|wide|deep|across|diameter)\b"
+_HOW = r"[\s-]*(?:in\s+)?(long|wide|deep|across|diameter|(?<=in )(?:length|width|breadth|depth))\b"
+_SAME = {"diameter": "across", "length": "long", "width": "wide", "breadth": "wide", "depth": "deep"}
 _FLAT = r"(?=\s+(?:\w+\s+)?(?:tv|television|monitor|screen))"
 _LENGTH = re.compile(rf"{_N}[\s-]*(?:({_LENGTHS}|in(?={_HOW}|{_FLAT}))(?:{_HOW}|({_FLAT}))?)", re.IGNORECASE)
 _APART = re.compile(
@@ -77,7 +79,7 @@ USUAL = (0.25, 4.0)
 """Least and most by which a thing may be larger than usual."""
 
 APART = 0.3
-"""Metres by which what lies between two things may differ from what is said."""
+"""Metres by which what lies between two things may differ from what is said; below a metre that share of it."""
 
 _ITEM = re.compile(
     rf"^[ \t]*\d{{1,2}}[.)](?=\s)|\b\d{{1,2}} ?[-\u2013] ?(?=\d{{1,2}} [a-z]{{3}})"
@@ -262,7 +264,7 @@ def _height(match: re.Match[str]) -> Said:
 
 def _length(match: re.Match[str]) -> Said:
     number, unit, _, how, flat = match.groups()
-    kind = "diagonal" if flat is not None else "across" if how == "diameter" else (how or "length").lower()
+    kind = "diagonal" if flat is not None else _SAME.get(how.lower(), how.lower()) if how else "length"
     return kind, (round(metres(number, unit), 3),)
 
 
@@ -273,8 +275,13 @@ def _gap(match: re.Match[str]) -> Said:
         return None
     gap = round(metres(number, unit), 2)
     low = round(metres(first, own, unit), 2) if first else 0.0 if most else gap
-    bounds = (low, math.inf if least else gap if most or first else gap + APART)
+    bounds = (low, math.inf if least else gap if most or first else about(gap))
     return "between" if match.group().endswith("between") else "apart", bounds
+
+
+def about(gap: float) -> float:
+    """Return the most metres that lie between two things of which so many are said."""
+    return round(gap + APART * min(gap, 1.0), 2)
 
 
 BARE = ((1000.0, "mm"), (100.0, "cm"))
