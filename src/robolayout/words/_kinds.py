@@ -31,6 +31,7 @@ def settle_kinds(parsed: Parsed) -> None:
         if thing.noun.said == "keyboard" and music:
             take(thing, "digital piano")
         _settle_table(thing, heads, alone=alone)
+    _settle_front_and_back(parsed)
     stored = not small.STORES.isdisjoint(chunk.value for chunk in parsed.facts if chunk.kind == "room")
     _settle_behind_and_below(parsed)
     for link in sorted(parsed.links, key=lambda link: link.relation == "with"):  # which says least of where a lamp is
@@ -41,6 +42,24 @@ def settle_kinds(parsed: Parsed) -> None:
         for thing in (one.thing for one in link.subjects if at and not (at.words or at.by or at.plural)):
             if (aloft or on) and thing.noun.said == "shelf":
                 take(thing, "wall shelf")  # "a shelf on the wall", but "shelves on the left wall" stand there
+
+
+def _settle_front_and_back(parsed: Parsed) -> None:
+    """Take the wall of a board that is told by the compass for the front of the room: "a blackboard on the north wall"."""
+    boards = [k for k in parsed.links if any(m.thing.noun.kind in small.BOARDS for m in k.subjects)]
+    walls = {wall.words for k in boards if (wall := place_in(k.objects[:1], "wall")) is not None}
+    (front,) = walls.pop() if len(walls) == 1 and len(next(iter(walls))) == 1 else ("",)
+    if front not in small.COMPASS:
+        return
+    meant = {"front": front, "back": small.ACROSS[front], "rear": small.ACROSS[front]}
+    for i, link in enumerate(parsed.links):
+        told = (
+            replace(item, words=tuple(meant.get(word, word) for word in item.words))
+            if isinstance(item, Place) and item.name in ("wall", "side")
+            else item
+            for item in link.objects
+        )
+        parsed.links[i] = replace(link, objects=(*told,))
 
 
 def _settle_table(thing: NamedThing, heads: Set[str], *, alone: bool) -> None:
