@@ -30,16 +30,14 @@ def acted(chunks: Sequence[Chunk]) -> list[Chunk]:
 def _places_first(chunks: Sequence[Chunk]) -> list[Chunk]:
     """Return phrases with a place that holds something as where that is: "the corner by the door holds a lamp"."""
     found = list(chunks)
-    for i in reversed(
-        [i for i, chunk in enumerate(chunks) if chunk.value == "holds" and _next(chunks, i + 1).kind == "thing"]
-    ):
+    holds = [i for i, chunk in enumerate(chunks) if chunk.value == "holds" and _next(chunks, i + 1).kind == "thing"]
+    for i in reversed(holds):
         since = [k for k, chunk in enumerate(chunks[:i]) if chunk.kind in ("stop", "colon", "comma", "and")]
         first = since[-1] + 1 if since else 0
-        if chunks[first].value in ("corner", "middle", "side") and "thing" not in {c.kind for c in chunks[first:i]}:
+        place = chunks[first]
+        if place.value in ("corner", "middle", "side") and "thing" not in {c.kind for c in chunks[first:i]}:
             found[i] = replace(chunks[i], kind="verb", value="is", adjectives=())
-            found.insert(
-                first, replace(NOTHING, kind="rel", start=chunks[first].start, end=chunks[first].end, value="in")
-            )
+            found.insert(first, replace(NOTHING, kind="rel", start=place.start, end=place.end, value="in"))
     return found
 
 
@@ -111,9 +109,8 @@ def is_somebody(chunk: Chunk) -> bool:
 
 def _said(chunks: Sequence[Chunk], at: int) -> list[str]:
     """Return the values of what stands before a phrase in its sentence."""
-    return [
-        chunk.value for chunk in takewhile(lambda chunk: chunk.kind not in ("stop", "colon"), reversed(chunks[:at]))
-    ]
+    here = takewhile(lambda chunk: chunk.kind not in ("stop", "colon"), reversed(chunks[:at]))
+    return [chunk.value for chunk in here]
 
 
 def _relation(verb: Chunk, name: str) -> Chunk:

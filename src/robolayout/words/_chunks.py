@@ -417,22 +417,17 @@ class Chunker(ClosedWords):
         closed = word in small.DETERMINERS or word in self.grammar.fillers or count_of(word) is not None
         if self._word(at - 1) == "for" and not closed:
             return Chunk("function", at, at + 1, word)  # "a bowl for keys"
-        told = "" if closed or word in small.BREAKING else self._class(at)
-        if (
-            closed
-            or word in small.BREAKING
-            or told == "joining"
-            or (told == "name" and self._word(at - 1) in small.DETERMINERS)
-        ):
+        closed = closed or word in small.BREAKING
+        told = "joining" if closed else self._class(at)
+        if told == "joining" or (told == "name" and self._word(at - 1) in small.DETERMINERS):
             return Chunk("filler", at, at + 1, word)
         if told in ("does", "done", "doing"):
             return Chunk("verb", at, at + 1, word if word in small.WALKING else told)
         ends = self._word(at + 1) in ("", *MARKS, *small.JOINING)
-        told = "adjective" if told == "noun" and ends and self._word(at - 1) in ("in", "with", "and") else told
         led = self._class(at + 1) in ("adjective", "done") or self._word(at + 1) in self.grammar.styles
-        style = told == "adjective" or (
-            told == "adverb" and led
-        )  # "clad in slate", "softly lit", but not "symmetrically"
+        # "clad in slate", "softly lit", but not "symmetrically"
+        style = told == "adjective" or (told == "adverb" and led)
+        style = style or (told == "noun" and ends and self._word(at - 1) in ("in", "with", "and"))
         return Chunk("style" if style else "other", at, at + 1, word)
 
 

@@ -44,18 +44,18 @@ def asides(chunks: Sequence[Chunk]) -> list[Chunk]:
     """Return the clauses that ask nothing of a room: no thing, place, figure or refusal is in them, or only what somebody does there."""
     found: list[Chunk] = []
     for clause in _clauses(chunks, small.REASONS):
-        said = any(chunk.kind == "other" or chunk.value in ACTING for chunk in clause)
-        said = said and not any(chunk.value in (UNREAD, *small.REACHED) for chunk in clause)
+        others, kinds = [c for c in clause if c.kind == "other"], {chunk.kind for chunk in clause}
         asks = any(chunk.number or (count_of(chunk.value) or 0) > 1 for chunk in clause)
+        asks = asks or any(chunk.value in (UNREAD, *small.REACHED) for chunk in clause)
         named = next((k for k, chunk in enumerate(clause) if chunk.kind == "room"), 0)
-        if said and not asks and ({chunk.kind for chunk in clause} <= {*small.ASIDE} or _is_done_by_somebody(clause)):
+        before = {chunk.kind for chunk in clause[:named]}
+        acts = any(chunk.value in ACTING for chunk in clause)
+        if (others or acts) and not asks and (kinds <= {*small.ASIDE} or _is_done_by_somebody(clause)):
             found.append(Chunk("aside", clause[0].start, clause[-1].end))
-        elif said and {chunk.kind for chunk in clause} <= {*small.ASIDE, "room", "measure"}:
-            found += [replace(c, kind="aside") for c in clause if c.kind == "other"]  # "our hallway is pure chaos"
-        elif said and named and {chunk.kind for chunk in clause[:named]} <= {*small.ASIDE, "rel"}:
-            found += [
-                replace(c, kind="aside") for c in clause[:named] if c.kind == "other"
-            ]  # "our trials are in a lab"
+        elif not asks and kinds <= {*small.ASIDE, "room", "measure"}:  # "our hallway is pure chaos"
+            found += [replace(other, kind="aside") for other in others]
+        elif not asks and before and before <= {*small.ASIDE, "rel"}:  # "our trials are in a lab with a sink"
+            found += [replace(other, kind="aside") for other in others if other in clause[:named]]
         parts = (part for part, verb in pairwise(clause) if part.kind == "part" and verb.value in ("done", "doing"))
         found += [replace(part, kind="aside") for part in parts]  # "its walls wrapped in felt"
     return found
