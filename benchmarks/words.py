@@ -155,8 +155,8 @@ def section(rows: Rows, images: Path) -> str:
     intro = (
         "Prompts with the demands that a person reads in them (`benchmarks/prompts/`), checked by a script that knows nothing of "
         "the reader. *Of our own*: written by us in the manner of published ones, and worked on for months. *Of strangers*: "
-        "paragraphs and demands by testers who saw neither code nor texts of ours; those set aside were written after the reader "
-        "was last changed for any stranger's words. *Wholly right*: every demand is met, by this script. *Right, says the report*: "
+        "paragraphs and demands by testers who saw neither code nor texts of ours; those set aside are looked at for these figures "
+        "only. *Wholly right*: every demand is met, by this script. *Right, says the report*: "
         "`ok` and no row unmet or not understood; in brackets how many of these are wholly right. *Ledger agrees*: of the "
         "demands that have a row of the ledger, those to which both give the same verdict. *Dropped*: demands that are unmet while "
         "no row of the ledger, whatever its verdict, is about their things or place.\n"
