@@ -40,6 +40,9 @@ def test_words_have_their_classes() -> None:
         ("A clinic. The desk is oriented toward the door.", "point_towards(desk-0"),
         ("A yoga studio. Twelve yoga mats are unrolled in three orderly rows.", "in_rows(["),
         ("A bathroom with a mirror, its lower edge 1.2 m from the floor.", "mounted_on(mirror-0, height=1.65)"),
+        ("Against the longest wall of the library stand five bookcases.", "against_wall(bookshelf-0"),
+        ("A bedroom for twins. They each get a bed. Beside each bed is a nightstand.", "near(night_stand-1, single_bed-1"),
+        ("A kitchen. Leave one meter of clear floor between the island and the sink.", "kitchen_island-0 1 to 1.3 m from"),
     ],
 )  # fmt: skip
 def test_what_an_unknown_verb_says_of_where_things_are(text: str, relation: str) -> None:
@@ -58,6 +61,7 @@ def test_what_an_unknown_verb_says_of_where_things_are(text: str, relation: str)
         "Now that I'm eighty-three I need a sitting room with a sofa.",
         "A bedroom with a desk at the window because I read all day.",
         "A podcast studio of 5 by 4 meters, its walls wrapped in charcoal felt.",
+        "A living room with a sofa, dressed in linen and weathered teak, lit from within.",
     ],
 )
 def test_what_asks_nothing_of_a_room_is_no_thing_and_no_demand(text: str) -> None:

@@ -67,10 +67,12 @@ def _since(values: Sequence[str]) -> int:
 
 def _of_matter(chunks: Sequence[Chunk], i: int) -> Chunk:
     """Return a phrase, no relation where it leads to what a thing is made of: "topped with honed oak", "lit from within"."""
-    led = chunks[i]
-    made = led.value == "holds" or (led.value == "in" and i > 0 and chunks[i - 1].value in ACTING)
-    matter = led.adjectives == ("within",) or _next(chunks, i + 1).kind in ("style", "other")
-    return replace(led, kind="filler") if made and matter and led.kind == "rel" else led
+    led, before = chunks[i], chunks[i - 1] if i else NOTHING
+    made = before.value in ACTING or (before.kind == "style" and before.value.endswith("ed"))
+    made = led.value == "holds" or (led.value == "in" and made)  # "upholstered in leather"
+    matter = made and _next(chunks, i + 1).kind in ("style", "other")
+    within = led.adjectives == ("within",) and _next(chunks, i + 1).kind in ("comma", "stop", "and", "verb", "")
+    return replace(led, kind="filler") if led.kind == "rel" and (matter or within) else led
 
 
 def _instead(verb: Chunk, rest: list[Chunk], before: Chunk, beyond: Chunk) -> list[Chunk]:

@@ -206,7 +206,11 @@ class Chunker(ClosedWords):
         that = word == "that" and bool(rest) and (rest[0] in ("a", "an") or _plural(rest[0], None))
         if that or i in self.measured or (word == "first" and self.lexicon.noun(self.words[i : i + 3])):
             return None  # "first aid kit"
-        if rest[1:2] == ["of"] and rest[0] in small.SETS and word not in small.DETERMINERS and not count_of(word):
+        walls = (
+            rest[:1] == ["wall"] and rest[2:3] != [] and rest[2] in small.DETERMINERS
+        )  # "the longest wall of the hall"
+        grouped = rest[1:2] == ["of"] and rest[0] in small.SETS and not walls
+        if grouped and word not in small.DETERMINERS and not count_of(word):
             return ("", None, "", 0, 3)  # "a seating group of"
         if (some := self._some_of(word, rest)) is not None:
             return some

@@ -8,7 +8,7 @@ from itertools import takewhile
 
 from robolayout.words import _function_words as small
 from robolayout.words._chunk import Chunk
-from robolayout.words._said import Item, Mention, NamedThing, mentions, named, place_in, places
+from robolayout.words._said import Item, Link, Mention, NamedThing, mentions, named, place_in, places
 from robolayout.words._spoken import Spoken
 
 
@@ -99,3 +99,11 @@ class Counting(Spoken):
                 thing.number = walls * at_each  # "bookshelves line two walls"
             elif apart and thing.parts_uncounted:
                 thing.number = self._gaps(apart[0])  # "partitions between the desks"
+
+
+def one_for_each(links: Sequence[Link]) -> None:
+    """Let what is at each of things that everybody has be as many as these: "they each get a bed; beside each bed is a lamp"."""
+    for link in links:
+        own = [m.thing.times for m in mentions(link.objects) if m.det == "each" and m.thing.everyones]
+        for thing in (m.thing for m in link.subjects if own and m.thing.times == 1 and not m.thing.everyones):
+            thing.times = own[0]

@@ -65,8 +65,8 @@ _APART = re.compile(
     rf"(?:\b(?:(at least|(?:no|not) less than|more than|(?:no|not|none)(?: of them)? (?:closer|nearer) than)"
     r"|(at most|no more than|up to|less than|within))\s+)?"
     rf"(?:(?:between\s+)?{_N}{_U}\s*(?:to|and|or|-|\u2013)\s*)?"
-    rf"{_N}{_U}\s*(?:apart|from (?:each other|one another)|(?:away )?from|off|of|to|"
-    rf"(?:of )?(?:(?:free|clear|empty) )?(?:space |floor |distance |gap |passage |clearance )?(?:left |kept )?between)\b",
+    rf"{_N}{_U}\s*(?:(?:of )?(?:(?:free|clear|empty) )?(?:space |floor |distance |gap |passage |clearance )?(?:left |kept )?between|"
+    rf"apart|from (?:each other|one another)|(?:away )?from|off|of|to)\b",
     re.IGNORECASE,
 )
 Size = tuple[float, float, float]

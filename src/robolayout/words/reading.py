@@ -16,6 +16,7 @@ from robolayout.words._acting import acted
 from robolayout.words._appositions import described
 from robolayout.words._chunk import Chunk
 from robolayout.words._chunks import Chunker
+from robolayout.words._counting import one_for_each
 from robolayout.words._framed import framed
 from robolayout.words._kinds import settle_kinds
 from robolayout.words._lexicon import Lexicon, Noun, grammar
@@ -226,7 +227,6 @@ def read_text(text: str, lexicon: Lexicon) -> Reading:
     young = "child_6" in bodies or len(siblings) > 1 or any(c.value in small.YOUNG for c in people)
     settle_kinds(parsed)
     _at_tables(parsed.links)
-    _long_benches(parsed.links)
     parsed.links[:] = _had_nearby(parsed.links)
     shared = _shared_out(parsed.things, _shaped(parsed.links, bounded(counts[0], "people")))
     number = _at_one_desk(parsed, shared)
@@ -237,6 +237,7 @@ def read_text(text: str, lexicon: Lexicon) -> Reading:
         if thing.everyones:
             thing.times = max(number or seats or _theirs(parsed.things, thing), 1)
         bounded(thing.count, thing.noun.words)
+    one_for_each(parsed.links)
     return Reading(
         text=read,
         words=words,
@@ -268,6 +269,7 @@ def _at_tables(links: Sequence[Link]) -> None:
             each = 2 if thing.head == "stool" and table.count > 1 else laid
             each = each or int(link.relation == "on" and table.head in small.TOPS)  # "crates on four tables"
             thing.number = max(each * table.count, 2) if each and thing.uncounted else thing.number
+    _long_benches(links)
 
 
 def _long_benches(links: Sequence[Link]) -> None:
