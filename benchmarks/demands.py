@@ -24,7 +24,7 @@ from pathlib import Path
 from shapely import Polygon
 
 from benchmarks import placed
-from benchmarks.seen import PAIRS, WHOLE, Room, at_place, between, in_half, open_middle
+from benchmarks.seen import PAIRS, SIDES, WHOLE, Room, at_place, between, in_half, open_middle
 
 FOLDER = Path(__file__).parent / "prompts"
 FACTS = {
@@ -212,7 +212,7 @@ def fact(room: Room, demand: Demand, room_type: str) -> bool:
         return len(room.floor) == 6
     if demand.kind.endswith("wall"):
         walls = [item["wall"] for item in room.scene.get(f"{demand.kind.removesuffix('wall')}s", [])]
-        return any(placed.side_of(room, wall) == placed.SIDES[value] for wall in walls)
+        return any(placed.side_of(room, wall) == SIDES[value] for wall in walls)
     there = len(room.scene.get(demand.kind, []))
     return there >= int(value[2:]) if value.startswith(">=") else there == int(value)
 

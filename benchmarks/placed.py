@@ -11,14 +11,8 @@ from itertools import pairwise
 
 from shapely import LineString, Point, Polygon
 
-from benchmarks.seen import Room, in_half_at, obstacles, turned_to
+from benchmarks.seen import AT_WALL, IN_CORNER, SIDES, Room, in_half_at, obstacles, turned_to
 
-SIDES = {
-    "north": "north", "back": "north", "rear": "north", "far": "north", "south": "south", "front": "south",
-    "west": "west", "left": "west", "east": "east", "right": "east",
-}  # fmt: skip
-AT_WALL, IN_CORNER = 0.15, 0.35
-"""Metres from a wall within which a thing is at it, or at both of a corner; the same as in `seen.at_place`."""
 ALONG_WALL = 0.35
 """Metres within which a wall is the one along which a thing stands: a chair at a desk, what stands before a shelf."""
 

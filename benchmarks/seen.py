@@ -13,6 +13,15 @@ from typing import Any
 from shapely import LineString, Point, Polygon
 from shapely.ops import unary_union
 
+SIDES = {
+    "north": "north", "back": "north", "rear": "north", "far": "north", "south": "south", "front": "south",
+    "west": "west", "left": "west", "east": "east", "right": "east",
+}  # fmt: skip
+"""Sides of the plan by the words for them."""
+
+AT_WALL, IN_CORNER = 0.15, 0.35
+"""Metres from a wall within which a thing is at it, or at both of a corner."""
+
 TWO_FRONTS = ("desk", "table", "counter")
 """Last words of what faces a thing when who sits at it does."""
 
@@ -181,9 +190,9 @@ def at_place(room: Room, kind: str, a: str) -> bool:
     """Return whether a thing is at such a place of the room."""
     (x, y, _), shape = room.pose(a), room.outline(a)
     if kind == "wall":
-        return room.wall_gaps(a)[0] <= 0.15
+        return room.wall_gaps(a)[0] <= AT_WALL
     if kind == "corner":
-        return room.wall_gaps(a)[1] <= 0.35
+        return room.wall_gaps(a)[1] <= IN_CORNER
     if kind in ("path", "diagonal"):
         return _way_to(room, a) if kind == "path" else _is_diagonal(room, a)
     if kind in ("atwindow", "atdoor", "daylight"):
@@ -218,7 +227,7 @@ def in_half_at(room: Room, x: float, y: float, side: str) -> bool:
     shape = Polygon(room.floor).bounds
     cx, cy = (shape[0] + shape[2]) / 2, (shape[1] + shape[3]) / 2
     halves = {"west": x < cx, "east": x > cx, "south": y < cy, "north": y > cy}
-    return halves[{"left": "west", "right": "east", "front": "south", "back": "north"}.get(side, side)]
+    return halves[SIDES[side]]
 
 
 def obstacles(room: Room, but: str = "") -> dict[str, Polygon]:

@@ -43,9 +43,9 @@ def _places_first(chunks: Sequence[Chunk]) -> list[Chunk]:
 
 def _of_a_reason(chunks: Sequence[Chunk], i: int) -> Chunk:
     """Return a phrase, no thing where it is of none that is known and in a clause that gives a reason, no refusal of what is done."""
-    chunk, before = chunks[i], _said(chunks, i)
+    chunk = chunks[i]
     unknown = chunk.noun is not None and bool(chunk.noun.guessed)
-    if unknown and {"because", "since"} & {*before} and not {"comma", ","} & {*before[: _since(before)]}:
+    if unknown and {"because", "since"} & {*takewhile(lambda value: value != ",", _said(chunks, i))}:
         return replace(chunk, kind="other", noun=None, value="reason")  # "because the heat ruins the tuning"
     does = _next(chunks, i + 1).value in ACTING and i > 0 and is_somebody(chunks[i - 1])
     return replace(chunk, kind="filler") if chunk.kind == "not" and does else chunk  # "I dont trust the window"
@@ -58,11 +58,6 @@ def _each_with(chunks: Sequence[Chunk]) -> Iterator[Chunk]:
         before = chunks[i - 1] if i > 1 and chunks[i - 2].value == "each" else NOTHING
         if not (each and _next(chunks, i + 1).kind == "with"):
             yield replace(chunk, start=before.start) if before.value == "done" and chunk.kind == "with" else chunk
-
-
-def _since(values: Sequence[str]) -> int:
-    """Return how many phrases there are after a word that begins a reason."""
-    return next((k for k, value in enumerate(values) if value in ("because", "since")), 0)
 
 
 def _of_matter(chunks: Sequence[Chunk], i: int) -> Chunk:

@@ -106,11 +106,10 @@ def _says(chunk: Chunk, after: Sequence[Chunk]) -> bool:
         return False  # "its headboard touches the wall", "a bed whose headboard is against the wall"
     if chunk.kind == "verb" and chunk.value in small.LED:
         return not any(other.kind == "rel" for other in after)
+    to = next((other.kind for other in after if other.kind != "filler"), "")
     if chunk.kind == "verb" and chunk.value in ACTING:
-        return [other.kind for other in after if other.kind != "filler"][:1] in (["thing"], ["part"])
-    if chunk.kind == "rel" and [other.kind for other in after if other.kind != "filler"][:1] in (
-        [kind] for kind in small.OF_NO_THING
-    ):
+        return to in ("thing", "part")
+    if chunk.kind == "rel" and to in small.OF_NO_THING:
         return False  # "clad in slate", "in my second year"
     leads = [other.kind for other in after[:1]] in (["rel"], ["measure"])  # "right behind"
     where = chunk.value in small.RELATING and not leads
