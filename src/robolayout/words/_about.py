@@ -126,7 +126,7 @@ class About(References):
     def _standing(self, meant: list[Mention], chunk: Chunk) -> list[Mention]:
         """Return what bears a small thing where furniture is said to stand beside it: "a globe is on the desk and a bin beside it"."""
         stands = chunk.value == "behind" or not any("object" in mention.thing.places for mention in self.about)
-        if len(meant) != 1 or not (meant[0].laid and stands and chunk.value in small.STANDING):
+        if len(meant) != 1 or not (meant[0].laid and stands and chunk.value in (*small.STANDING, "under")):
             return meant
         on = [k.objects for k in self.said.links if k.relation == "on" and meant[0].thing in named(k.subjects)]
         return mentions(on[-1]) or meant if on else meant
@@ -255,6 +255,13 @@ class About(References):
         """Return what a relation right after a noun is about: small things "on" something all together, else the noun."""
         if holder := self._holder_meant(relation):
             return holder
+        if (
+            self.relative
+            and self.target is not None
+            and self.said.last.start >= self.began
+            and self._relative_to(self.target)
+        ):
+            return [*self.said.last.subjects]  # "a sofa faces a TV that stands on a cabinet by the wall"
         following = self._ahead().value
         others = [m for m in self.group if self._ahead().det != "the" or not m.thing.same(self._ahead())]
         self.group = others if others[1:] else self.group  # "a bed, a desk and a chair opposite the bed"
@@ -301,13 +308,6 @@ class About(References):
             several = any(one.several for one in self.acted)  # "three stools at it in a row"
             return list(self.acted if several else self.group or self.subject)  # "fridge, stove and sink in a row"
         return laid or self._both_at_each(relation) or last
-
-    def _looked_at_there(self) -> bool:
-        """Return whether what something faces stands at the wall that follows: "a sofa facing a sideboard on the north wall"."""
-        last = self.said.last
-        walled = any(place_in(k.objects[:1], "wall") and named(k.subjects) & named(last.subjects) for k in self._here)
-        looks = last.relation == "facing" and self.target in last.objects
-        return looks and self.target is not None and (walled or self.target.walled or self.target.thing.head == "stand")
 
     def _both_at_each(self, relation: str) -> list[Mention]:
         """Return two things of which there is one at each of others: "a chair and a monitor at each"."""
@@ -391,7 +391,7 @@ class About(References):
         opening = previous is not None and previous.value in ("window", "door")
         if previous is None or previous.kind == "stop" or (opening and previous.det == "a"):
             return []  # "a window on each side of it"
-        if relation in small.ORDERS and len(led := self._all_led()) > 1:
+        if relation in small.ORDERS and (led := self._all_led(previous)):
             return led  # "along the wall run the counter, the oven and the dishwasher, from left to right"
         if self.fronted is not None and previous.kind in ("and", "comma"):
             self.also = self.fronted if not self.group else None  # "between them, under the window, is a table"

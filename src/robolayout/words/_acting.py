@@ -45,8 +45,10 @@ def _of_a_reason(chunks: Sequence[Chunk], i: int) -> Chunk:
     """Return a phrase, no thing where it is of none that is known and in a clause that gives a reason, no refusal of what is done."""
     chunk = chunks[i]
     unknown = chunk.noun is not None and bool(chunk.noun.guessed)
-    if unknown and {"because", "since"} & {*takewhile(lambda value: value != ",", _said(chunks, i))}:
-        return replace(chunk, kind="other", noun=None, value="reason")  # "because the heat ruins the tuning"
+    here = [*takewhile(lambda value: value != ",", _said(chunks, i))]
+    told = {"because", "since"} & {*here} or ("where" in here and SPEAKING & {*here})
+    if unknown and told:  # "because the heat ruins the tuning", "where we do the crossword"
+        return replace(chunk, kind="other", noun=None, value="reason")
     does = _next(chunks, i + 1).value in ACTING and i > 0 and is_somebody(chunks[i - 1])
     return replace(chunk, kind="filler") if chunk.kind == "not" and does else chunk  # "I dont trust the window"
 

@@ -11,8 +11,6 @@ from robolayout.words._function_words import DETERMINERS, LATTER, LEVELS, REST
 from robolayout.words._lexicon import Noun, grammar
 from robolayout.words._tokens import Measure, count_of
 
-MARKS = {":": "colon", **dict.fromkeys(".;!?\n", "stop"), **dict.fromkeys(",()", "comma")}
-
 WITHOUT_NOUN = re.compile(
     r"(?:(?:the |a )?\b(another|(?<=\ba )(?:second|third|fourth|fifth|sixth)(?! of)"
     r"|(?<=the )(?:other half(?! of)|others?|remaining|rest|first|second|third|last|former|latter))"
@@ -65,6 +63,7 @@ class Chunk:
     sizes: tuple[Measure, ...] = ()  # measures of the thing
     total: int | None = None  # of how many these are some: "two of the three stools"
     opening: Framed | None = None  # what is said of a door or window
+    held: tuple[Chunk, ...] = ()  # what a container has in it
 
     @property
     def level(self) -> int:

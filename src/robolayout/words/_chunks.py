@@ -12,10 +12,10 @@ from dataclasses import replace
 from itertools import pairwise
 
 from robolayout.words import _function_words as small
-from robolayout.words._chunk import MARKS, Chunk, without_noun
+from robolayout.words._chunk import Chunk, without_noun
 from robolayout.words._closed import ClosedWords, heaped
 from robolayout.words._lexicon import LONGEST, Noun
-from robolayout.words._tokens import VAGUE, count_of
+from robolayout.words._tokens import MARKS, VAGUE, count_of
 
 Before = tuple[str, int | None, str, int]
 """What stands before a noun: article, number, bound, rows."""
@@ -180,7 +180,8 @@ class Chunker(ClosedWords):
         if not run:
             return Chunk("pron", at, i, "the two") if det == "the" and (number or 0) > 1 else None
         told = bool(det or number is not None or bound)
-        does = self._word(at - 1) in small.SPEAKING and self.lexicon.noun(run[:1]) is not None  # "where I paint"
+        who = at - 1 - (self._word(at - 1) in ("only", "always", "often", "usually", "mostly", "just"))
+        does = self._word(who) in small.SPEAKING and self.lexicon.noun(run[:1]) is not None  # "where I paint"
         if not told and (does or self._word(at - 1) in small.MODAL):
             return Chunk("filler", at, at + 1, run[0])
         chunk = self._named(at, i, run, told, (det, number, bound, rows))
@@ -285,6 +286,13 @@ class Chunker(ClosedWords):
             not known
             or (word == "stands" and self._word(i + 1) in ("", *MARKS) and self.words[i - len(run) - 1] in ("a", "an"))
             or (word == "stands" and not many and self._begins_relation(i + 1) and told)
+            # "a cup and a printer stand on it"
+            or (
+                word == "stand"
+                and before == "and"
+                and self._begins_relation(i + 1)
+                and self._word(i + 2) in ("it", "them")
+            )
             # "before the plant stand two chairs"
             or (word in ("stand", "stands") and article not in ("a", "an") and self._leads(i + 1))
             or (word == "stand" and (run[-1].endswith("s") or (mutual and self._begins_relation(i + 1))))

@@ -8,10 +8,10 @@ from functools import cached_property
 from itertools import takewhile
 
 from robolayout.words import _function_words as small
-from robolayout.words._chunk import MARKS, ROWS, SOME
+from robolayout.words._chunk import ROWS, SOME
 from robolayout.words._lexicon import LONGEST, Lexicon, grammar
 from robolayout.words._speech import classes
-from robolayout.words._tokens import Measure, Token, count_of
+from robolayout.words._tokens import MARKS, Measure, Token, count_of
 
 UNREAD = "unreadable"
 """What stands for a phrase that is not to be understood, see `reworded.toml`."""

@@ -102,8 +102,10 @@ class Counting(Spoken):
 
 
 def one_for_each(links: Sequence[Link]) -> None:
-    """Let what is at each of things that everybody has be as many as these: "they each get a bed; beside each bed is a lamp"."""
+    """Let what is at or in each of things that everybody has be as many as these: "each gets a bed; beside each bed is a lamp"."""
     for link in links:
+        for thing in (m.thing for m in link.subjects if m.thing.within in named(link.objects)):
+            thing.times = thing.within.times if thing.within else 1
         own = [m.thing.times for m in mentions(link.objects) if m.det == "each" and m.thing.everyones]
         for thing in (m.thing for m in link.subjects if own and m.thing.times == 1 and not m.thing.everyones):
             thing.times = own[0]

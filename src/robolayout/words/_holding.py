@@ -5,11 +5,11 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 from dataclasses import replace
-from itertools import takewhile
+from itertools import dropwhile, takewhile
 
 from robolayout.words import _function_words as small
 from robolayout.words._chunk import Chunk
-from robolayout.words._said import Item, Mention, mentions
+from robolayout.words._said import Item, Link, Mention, mentions, named
 from robolayout.words._spaces import Spaces
 
 
@@ -48,12 +48,15 @@ class Holding(Spaces):
         on = all(any(kind.on_object for kind in c.noun.categories) for c in ahead if c.noun is not None)
         return after.kind == "verb" or after.value in small.ORDERS or (on and after.kind == "rel")
 
-    def _past_contents(self) -> None:
+    def _past_contents(self, one: Mention) -> None:
         """Go past what a small thing has in it, where a list goes on: "holding a bottle of detergent and a box"."""
         of, what, joins, more = (self._ahead(i) for i in range(4))
         contents = of.value == "of" and what.kind in ("thing", "other") and not what.det
         if contents and joins.kind in ("and", "comma") and more.kind == "thing":
-            self.said.facts.append(replace(what, kind="function"))
+            if what.noun is not None and what.noun.category.on_object and one.thing.head in small.CONTAINERS:
+                self.said.links.append(Link("on", (self._mention(what),), (one,), what.start, what.end))
+            else:
+                self.said.facts.append(replace(what, kind="function"))
             self.at += 2
 
     def _reversed(self, chunk: Chunk, subjects: list[Mention], objects: Sequence[Item]) -> None:
@@ -62,7 +65,8 @@ class Holding(Spaces):
         # "holding a bowl, two candles and a clock"
         closed = chunk.value == "holds" and self._list_closes()
         listed = closed or (chunk.value == "holds" and self._list_goes_on(1))
-        self._past_contents()
+        for one in moved[-1:]:
+            self._past_contents(one)
         joins = ("and", "comma") if listed else ("and",)
         while chunk.value in ("holds", "flanked") and self._ahead().kind in joins:
             self.at += listed and self._ahead(1).kind == "and"  # "a bowl, a candle, and a clock"
@@ -74,7 +78,7 @@ class Holding(Spaces):
             ends = listed and self._ahead().kind == "and"
             self.at += 2
             moved.append(self._mention(self._ahead(-1)))
-            self._past_contents()
+            self._past_contents(moved[-1])
             if ends:
                 break
         if chunk.value == "flanked" and self._ahead().value in ("left", "right"):
@@ -97,3 +101,37 @@ class Holding(Spaces):
             held = chunk.value == "holds" and self._ahead().kind == "rel"
             held = held and self._ahead().value not in ("on", *small.ORDERS)
             self.group = self.acted = list(subjects) if held else moved  # "a shelf full of toys along the wall"
+
+    def _has_more(self) -> bool:
+        """Return whether a list of what a table has goes on after its seats: "a table with four chairs around it, a jug and a bowl"."""
+        what = self._ahead(self._ahead().kind == "and").noun
+        around = self._ahead(-2).kind == "pron" and named(self.said.last.objects) == named(self.holder)
+        tops = bool(self.holder) and self.holder[0].thing.head in small.TOPS
+        return around and tops and what is not None and "floor" not in what.category.places and what.category.on_object
+
+    def _put_on(self, mention: Mention, holder: Mention, *, joined: bool) -> bool:
+        """Return whether what another thing has is on it or at it: what can stand nowhere else, what a table has first, seats."""
+        tops, told = holder.thing.head in ("table", "desk", "counter", "island"), self._ahead(-2).kind == "with"
+        if self._ahead().value in small.HANGING and self._ahead(1).value == "above":
+            return False  # "a counter with pans hanging above it"
+        rest = [*dropwhile(lambda c: c.kind in ("filler", "body", "people"), self.chunks[self.at : self.at + 4])]
+        apart = "comma" in [c.kind for c in self.chunks[max(self.at - 3, 0) : self.at - 1]]  # ", a" or ", and a"
+        if apart and [c.kind for c in rest[:2]] == ["rel", "part"] and rest[1].value in small.OPENINGS_AND_CORNERS:
+            return False  # "a cabinet with a sink, a scale for dogs by the door"
+        closes = self._ahead().kind in ("comma", "stop", "") and mention.thing.noun.said in small.WORKED_AT
+        goes_with = tops and (closes or not joined) and is_accessory(mention)
+        had = joined and (self.said.last.relation, self.said.last.objects) == ("with", (holder,))
+        clock = had and mention.thing.places == ("wall",)  # "a table with a bowl and a clock"
+        on = mention.topped or (mention.can_be_on_a_top and (clock or self._on_it_follows()))
+        return (on or goes_with or told) and not holder.topped
+
+    def _on_it_follows(self) -> bool:
+        """Return whether a list of small things ends with "on it"."""
+        rest = [*dropwhile(lambda c: c.kind in ("thing", "and", "comma", "filler", "style"), self.chunks[self.at :])]
+        return [c.value for c in rest[:2]] == ["on", "it"]
+
+
+def is_accessory(mention: Mention) -> bool:
+    """Return whether a thing goes with another: a seat, or what can stand on a top."""
+    kind = mention.thing.category
+    return mention.thing.head in small.SEATS or kind.on_object or kind.built_in

@@ -8,11 +8,11 @@ from itertools import pairwise
 
 from robolayout.words import _function_words as small
 from robolayout.words._acting import ACTING, is_somebody
-from robolayout.words._chunk import MARKS, Chunk
+from robolayout.words._chunk import Chunk
 from robolayout.words._closed import UNREAD
 from robolayout.words._lexicon import grammar
 from robolayout.words._said import Parsed, named
-from robolayout.words._tokens import count_of
+from robolayout.words._tokens import MARKS, count_of
 
 
 def leftover(chunks: Sequence[Chunk], said: Parsed) -> list[Chunk]:
@@ -35,8 +35,12 @@ def leftover(chunks: Sequence[Chunk], said: Parsed) -> list[Chunk]:
             told = told and chunk.start not in idle
             told = told or (chunk.value in ACTING and any(is_somebody(before) for before in clause[:i]))
             if not told and _says(chunk, clause[i + 1 :]) and not (chunk.kind == "not" and refused):
+                if _is_of_somebody(clause) and not _asks(clause):
+                    said.facts.append(Chunk("aside", start, end))
+                    break
                 found.setdefault(start, replace(chunk, start=named, end=end))
-    alone = [c for c in said.missed if not any(f.start <= c.start < f.end for f in found.values())]
+    apart = (*found.values(), *(fact for fact in said.facts if fact.kind == "aside"))
+    alone = [c for c in said.missed if not any(f.start <= c.start < f.end for f in apart)]
     return [*alone, *found.values()]
 
 
@@ -45,8 +49,7 @@ def asides(chunks: Sequence[Chunk]) -> list[Chunk]:
     found: list[Chunk] = []
     for clause in _clauses(chunks, small.REASONS):
         others, kinds = [c for c in clause if c.kind == "other"], {chunk.kind for chunk in clause}
-        asks = any(chunk.number or (count_of(chunk.value) or 0) > 1 for chunk in clause)
-        asks = asks or any(chunk.value in (UNREAD, *small.REACHED) for chunk in clause)
+        asks = _asks(clause)
         named = next((k for k, chunk in enumerate(clause) if chunk.kind == "room"), 0)
         before = {chunk.kind for chunk in clause[:named]}
         acts = any(chunk.value in ACTING for chunk in clause)
@@ -59,6 +62,22 @@ def asides(chunks: Sequence[Chunk]) -> list[Chunk]:
         parts = (part for part, verb in pairwise(clause) if part.kind == "part" and verb.value in ("done", "doing"))
         found += [replace(part, kind="aside") for part in parts]  # "its walls wrapped in felt"
     return found
+
+
+def _asks(clause: Sequence[Chunk]) -> bool:
+    """Return whether a clause has a number, or words that must not be passed over."""
+    number = any(chunk.number or (count_of(chunk.value) or 0) > 1 for chunk in clause)
+    return number or any(chunk.value in (UNREAD, *small.REACHED) for chunk in clause)
+
+
+def _is_of_somebody(clause: Sequence[Chunk]) -> bool:
+    """Return whether a clause says what somebody is or does, of no thing or place: "we have just moved in", "we had no space"."""
+    who = next((k for k, chunk in enumerate(clause) if is_somebody(chunk)), None)
+    if who is None or not {chunk.kind for chunk in clause[:who]} <= {"filler", "other", "and", "pron"}:
+        return False
+    named = any(c.kind in ("thing", "room", "corner", "measure") or (c.kind == "part" and c.det) for c in clause)
+    leads_back = any(a.kind == "rel" and b.kind == "pron" for a, b in pairwise(clause))
+    return not named and not leads_back and any(c.kind in ("verb", "with", "other") for c in clause[who + 1 :])
 
 
 def _is_done_by_somebody(clause: Sequence[Chunk]) -> bool:

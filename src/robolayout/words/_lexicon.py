@@ -16,6 +16,7 @@ from robolayout.assets.lexicon import phrase_index, singular
 from robolayout.assets.palette import LOOKS
 from robolayout.scene import Asset, Scene
 from robolayout.words._function_words import ALIKE, BEFORE_NOUNS, INSTEAD, JOINED, SPARING
+from robolayout.words._speech import is_english
 from robolayout.words.rooms import RoomTypes
 
 LONGEST = 8
@@ -168,12 +169,14 @@ class Lexicon:
             return None  # "evenly spaced" is no space
         near = get_close_matches(words[-1], grammar().parts, n=1, cutoff=ALIKE_PARTS)
         known = any(_misspelt(text.replace(" ", "")) for text in (" ".join(words), words[-1]))
-        return grammar().parts[near[0]] if near and len(words[-1]) > 4 and not known else None
+        slip = bool(near) and len(words[-1]) > 4 and not known and not is_english(words[-1])
+        return grammar().parts[near[0]] if slip else None
 
     def slip(self, words: Sequence[str]) -> Noun | None:
         """Return what some words are a slip of spelling of, None where they are none."""
         text = singular(" ".join(words))
         near = _misspelt(text.replace(" ", "")) if len(text) > 4 else None
+        near = None if near and all(map(is_english, words)) else near
         return Noun(near, near, text, "by its spelling", kinds=self.kinds) if near else None
 
     def guess(self, words: Sequence[str]) -> Noun:

@@ -13,6 +13,7 @@ from itertools import dropwhile, takewhile
 
 from robolayout.words import _function_words as small
 from robolayout.words._chunk import NOTHING, ROWS, SOME, Chunk
+from robolayout.words._holding import is_accessory
 from robolayout.words._leftover import asides, leftover
 from robolayout.words._relations import Relating
 from robolayout.words._said import Link, Mention, NamedThing, Parsed, Place, mentions, named, place_in, place_of
@@ -61,12 +62,15 @@ class Parser(Relating):
     def _on_and(self, chunk: Chunk) -> None:
         self.refusing = self.refusing and chunk.value in ("or", "nor")
         self.verb = self.relative = False
-        self.having = self.having and not self.acted and self._previous(chunk) != "each"
+        self.having = self.having and (not self.acted or self._has_more()) and self._previous(chunk) != "each"
 
     def _on_verb(self, chunk: Chunk) -> None:
         self.verb = True
         who = self._ahead(-2)
-        if chunk.value in ("needs", "gets") and who.kind in ("people", "body") and who.det == "each":
+        if self.outer and who.kind == "comma" and chunk.value in small.FINITE:
+            self.subject = self.group = self.outer  # "the desk, on which a lamp stands, is by the window"
+            self.acted, self.fronted, self.holder, self.outer = [], None, [], []
+        if chunk.value in ("needs", "gets") and who.kind in ("people", "body", "thing") and who.det == "each":
             self._on_with(chunk)
 
     def _on_not(self, chunk: Chunk) -> None:
@@ -253,7 +257,7 @@ class Parser(Relating):
             borne = joined and on_a_stand and self.holder[0].thing.head in small.SLEPT_ON
             bearers = self.group[-1:] if borne else self.holder
             self.said.links.append(Link("with", (mention,), tuple(bearers), chunk.start, chunk.end))
-        elif joined and not _accessory(mention):
+        elif joined and not is_accessory(mention):
             self.listed = True  # "a table with six stools and shelves along the wall"
         elif joined and self.having and mention.thing.category.built_in:
             self.listed = False  # "counters with a sink, a stove and an oven along the wall"
@@ -343,7 +347,12 @@ class Parser(Relating):
         other = self._ahead().kind == "rel" and self.fronted[0].value != "on"
         ordered = self._ahead(-2).kind == "and" and mention.count == 1 and self._ahead().value in small.ORDERS
         other = (other and not ordered) or self._placed(mention)  # not "a fridge and a stove in a row"
-        if self.acted and (other or self._ahead().value in small.FINITE or self._alone(mention, joined=True)):
+        closes = self._ahead().value in small.FINITE - small.ALONE_DOES and self._ahead(-2).kind == "and"
+        closes = (
+            closes and self.fronted[0].value == "on" and mention.can_be_on_a_top
+        )  # "on which a cup and a jar stand"
+        ends = self._ahead().value in small.FINITE and not closes
+        if self.acted and (other or ends or (not closes and self._alone(mention, joined=True))):
             self.fronted = None
             return False
         for led in (self.also, self.fronted) if self.also is not None else (self.fronted,):
@@ -364,12 +373,17 @@ class Parser(Relating):
     def _elided(self, chunk: Chunk, mention: Mention) -> bool:
         """Return whether two things follow each other as the last two did: "the left desk has a lamp, the right one a vase"."""
         last = next((link for link in reversed(self.said.links) if link.start < chunk.start), None)
+        if last is not None and last.subjects == tuple(self.group) and self._joined() and last.elided:
+            self.said.links[-1] = replace(last, subjects=(*last.subjects, mention))  # "the other a vase and a bowl"
+            self.group = [*self.group, mention]
+            return True
         before = self.recent[-2:-1]
         if last is None or not before or before[0].pick is None or self._ahead(-2).kind != "thing":
             return False
         if [to.thing for to in mentions(last.objects) if to.pick is not None][:1] != [before[0].thing]:
             return False
         self._link(Chunk("rel", chunk.start, chunk.end, last.relation), [mention], before)
+        self.said.links[-1] = replace(self.said.links[-1], elided=True)
         self.group, self.subject, self.acted = [mention], before, []
         return True
 
@@ -385,7 +399,9 @@ class Parser(Relating):
 
     def _also_each(self, chunk: Chunk) -> bool:
         """Read what else each has, after what stands at it: "each table has a board on it and two chairs"."""
-        joined = self._ahead(-2).kind == "and" and chunk.det != "the"
+        listed = [c.kind for c in self.chunks[self.at - 3 : self.at - 1]] == ["pron", "comma"] and chunk.noun is not None
+        listed = listed and chunk.noun is not None and chunk.noun.category.on_object  # "a chair behind it, a lamp and a mug"
+        joined = (self._ahead(-2).kind == "and" or listed) and chunk.det != "the"
         own = joined and self.acted and (self._ahead().kind != "rel" or self._ahead(1).kind in small.ALONE_AFTER)
         if not (own and self.every and all(mention.thing.times == self.every[1] > 1 for mention in self.acted)):
             return False
@@ -395,19 +411,6 @@ class Parser(Relating):
         self._each_has(*self.every)
         self.target, self.acted = None, []
         return True
-
-    def _put_on(self, mention: Mention, holder: Mention, *, joined: bool) -> bool:
-        """Return whether what another thing has is on it or at it: what can stand nowhere else, what a table has first, seats."""
-        tops, told = holder.thing.head in ("table", "desk", "counter", "island"), self._ahead(-2).kind == "with"
-        if self._ahead().value in small.HANGING and self._ahead(1).value == "above":
-            return False  # "a counter with pans hanging above it"
-        rest = [*dropwhile(lambda c: c.kind in ("filler", "body", "people"), self.chunks[self.at : self.at + 4])]
-        apart = "comma" in [c.kind for c in self.chunks[max(self.at - 3, 0) : self.at - 1]]  # ", a" or ", and a"
-        if apart and [c.kind for c in rest[:2]] == ["rel", "part"] and rest[1].value in small.OPENINGS_AND_CORNERS:
-            return False  # "a cabinet with a sink, a scale for dogs by the door"
-        closes = self._ahead().kind in ("comma", "stop", "") and mention.thing.noun.said in small.WORKED_AT
-        goes_with = tops and (closes or not joined) and _accessory(mention)
-        return (mention.topped or goes_with or told) and not holder.topped
 
     def _on_part(self, chunk: Chunk) -> None:
         """A place of the room that no relation leads to: what it has, doors and windows that are asked for."""
@@ -432,9 +435,3 @@ class Parser(Relating):
             self._link(Chunk("rel", chunk.start, chunk.end, "hanging"), self.acted, [place_of(chunk)])
         elif chunk.value in ("floor", "wall"):
             self._on_surface(chunk)
-
-
-def _accessory(mention: Mention) -> bool:
-    """Return whether a thing goes with another: a seat, or what can stand on a top."""
-    kind = mention.thing.category
-    return mention.thing.head in small.SEATS or kind.on_object or kind.built_in

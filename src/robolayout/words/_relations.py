@@ -119,8 +119,9 @@ class Relating(Holding):
         if who.kind in ("people", "body") and who.det == "each":
             self._each_has([], self._people() or 1)
             return
-        if self.target is not None and self.target.det == "a" and who.kind == "thing":
-            self.holder = [self.target]  # "facing a television with speakers"
+        which = self.relative and who.value in ("which", "that")
+        if self.target is not None and self.target.det == "a" and (who.kind == "thing" or which):
+            self.holder = [self.target]  # "facing a television with speakers", "a bench, which has a vase on it"
         elif self.group:
             clause = who.kind == "comma" and self.acted and len(self.subject) == 1
             last = self.said.last
@@ -365,6 +366,7 @@ class Relating(Holding):
             place = place_in(self.fronted[1][:1]) if self.fronted is not None else None
             self.also = None if self.group else self.fronted if place else self.also
             self.fronted = (chunk, list(objects))
+            self.outer = mentions(objects) if self._ahead(-1).value == "which" else []
             self.group, self.acted = [], []
         elif subjects:
             subjects = self._listed_with(chunk.value, subjects, objects)
@@ -424,6 +426,9 @@ class Relating(Holding):
         clause = before[ends[-1] + 1 if ends else 0 :]
         if [chunk.value for chunk in clause] in (["everybody"], ["everyone"]) or self._ahead(-2).value == "everything":
             return True  # "everybody looks at the board", "everything along one wall"
+        to = next((chunk.kind for chunk in self.chunks[self.at :] if chunk.kind != "filler"), "")
+        if clause and clause[0].value in small.SPEAKING and to in ("other", "function"):
+            return True  # "where we do the crossword over our tea"
         clause = [chunk for chunk in clause if chunk.kind != "filler"]
         if [chunk.kind for chunk in clause[-1:]] == ["people"] and "sitting" in self._ahead(-1).adjectives:
             return True  # "a lamp such that a person sitting on the sofa sees it"

@@ -44,6 +44,7 @@ class NamedThing:
     sat_at: bool = False  # whether it is said to have chairs, or these to be around it
     sizes: list[Measure] = field(default_factory=list[Measure])  # what is said of its size in figures
     told: list[str] = field(default_factory=list[str])  # words of taste that were said of it later ("the bed is brown")
+    within: NamedThing | None = None  # what it was named with as what that has in it
 
     @property
     def promising(self) -> bool:
@@ -206,6 +207,11 @@ class Mention:
         return self.thing.places == ("object",)
 
     @property
+    def can_be_on_a_top(self) -> bool:
+        """Whether some kind that its noun means can stand on another thing: a clock, a statue."""
+        return any(kind.on_object for kind in self.thing.noun.categories)
+
+    @property
     def sat_on(self) -> bool:
         """Whether one sits on it."""
         return self.thing.head in small.SEATS
@@ -278,6 +284,7 @@ class Link:
     sided: str = ""  # at which sides of a table seats are in equal shares: "each", "long" or "end", if that is said
     topmost: bool = False  # whether it is said of the top of a thing, not of its shelves
     level: int = 0  # which of its shelves that is, from below, or -1 for the highest one; 0 for any
+    elided: bool = False  # whether the words leave it out: "the left desk has a lamp, the right one a vase"
 
     @property
     def shelves(self) -> bool:

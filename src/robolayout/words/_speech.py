@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from functools import cache
 from typing import Any
 
-from robolayout.words._chunk import MARKS
+from robolayout.words._tokens import MARKS
 
 LONGEST_WORD = 30
 """Letters of a word of which the class is asked; the time grows with their square."""
@@ -29,6 +29,11 @@ def _tagger() -> Any:
     from HanTa.HanoverTagger import HanoverTagger
 
     return HanoverTagger("morphmodel_en.pgz")
+
+
+def is_english(word: str) -> bool:
+    """Return whether a word stands in the lexicon of the model, and so is no slip of spelling."""
+    return word in _tagger().cache or any(word in stems for stems in _tagger().LP_m_t.values())
 
 
 def classes(words: Sequence[str]) -> list[str]:

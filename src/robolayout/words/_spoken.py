@@ -70,6 +70,7 @@ class Spoken:
         self.fronted: tuple[Chunk, list[Item]] | None = None
         self.also: tuple[Chunk, list[Item]] | None = None  # "in the corner nearest the window stands a lamp"
         self.led: list[Mention] = []  # what a relation led back to
+        self.outer: list[Mention] = []  # what "on which" is said of, which the clause after the next comma goes on with
         self.refusing = self.negated = self.empty = self.verb = False
         self.aside = False  # whether what is had was said after a comma: "a toilet at a wall, with a basin opposite it"
         self.relative = self.having = self.listed = False
@@ -403,11 +404,14 @@ class Spoken:
             before = next((both for both in standing if len(both) > 1), last[-2:] if len(last) > 1 else before)
         return self._all_of_before(earlier) or earlier[-2:] or before
 
-    def _all_led(self) -> list[Mention]:
-        """Return all that stands where the head of the clause says."""
+    def _all_led(self, previous: Chunk) -> list[Mention]:
+        """Return the several things that stand where the head of the clause says: "at the wall are two desks, side by side"."""
+        if previous.kind == "comma" and self.fronted is not None and any(m.several for m in self.acted):
+            return list(self.acted)
         led = self.fronted[1] if self.fronted is not None else []
         one = led and self.group[-1:] and not self.group[-1].several  # not "a desk and three chairs in a row"
-        return [m for k in self._here if one and list(k.objects) == led for m in k.subjects]
+        found = [m for k in self._here if one and list(k.objects) == led for m in k.subjects]
+        return found if len(found) > 1 else []
 
     def _right_before(self) -> list[Mention]:
         """Return what a relative clause is about, the noun right before it: "the sink, which is under the window"."""

@@ -25,6 +25,9 @@ NUMBERS = (
 _MEASURED: Mapping[str, float] = {**NUMBERS, "half a": 0.5, "a couple of": 2.0}
 """The same with what is only said of metres."""
 
+MARKS = {":": "colon", **dict.fromkeys(".;!?\n", "stop"), **dict.fromkeys(",()", "comma")}
+"""Kinds of phrases that are marks."""
+
 VAGUE = frozenset(("some", "few", "several", "lots", "many"))
 """Words that say no exact number."""
 
@@ -97,6 +100,16 @@ _TOKEN = re.compile(
 )
 
 
+_METRES, _FEET = r"met(?:re|er)s?", "feet|foot"
+_PARTS = re.compile(
+    rf"\b(?:(?P<n>{_WORDS}|\d+) and a half (?P<u>{_METRES}|{_FEET}|m)|(?P<m>an?|{_WORDS}) (?P<v>{_METRES}|{_FEET}) and a half"
+    rf"|(?P<k>an?|{_WORDS}|\d+) (?P<w>{_METRES}) (?P<more>ten|twenty|{'|'.join(_TENS[:-1])}|\d\d)"
+    r"(?=\s*(?:high|tall|wide|long|deep|across|apart|in\b|off|above|from|of\b|between|[.,;]|$)))(?!\w)",
+    re.IGNORECASE,
+)
+"""Lengths of several words: "one and a half metres", "a metre and a half", "two metres eighty long"."""
+
+
 @dataclass(frozen=True)
 class Measure:
     """A measure of the room or of a thing."""
@@ -161,7 +174,7 @@ _written = {"per": ("for", "each")} | {
 } | {mark: (word,) for mark, word in _marks.items()} | {
     f"{ten}{mark}{one}": (str(NUMBERS[ten] + NUMBERS[one]),)
     for ten in ("twenty", *_TENS[:-1]) for one in _WORDS.split("|") for mark in "- "
-}  # fmt: skip
+} | {f"{who}'{will}": (who, does) for who in ("we", "you", "they") for will, does in (("ll", "will"), ("re", "are"))}  # fmt: skip
 """What some words are read as."""
 
 
@@ -175,12 +188,27 @@ class Token:
     measure: Measure | None = None  # the length that it stands for, where the text has no figure
 
 
+def _in_figures(text: str) -> str:
+    """Return a text with lengths of several words in figures, in the same places.
+
+    >>> _in_figures("a metre and a half apart").split()
+    ['1.5', 'm', 'apart']
+    """
+    return _PARTS.sub(lambda match: _figures(match).ljust(len(match.group())), text)
+
+
+def _figures(match: re.Match[str]) -> str:
+    number, unit = next((match[n], match[u]) for n, u in ("nu", "mv", "kw") if match[n])
+    more = _number(match["more"]) / 100.0 if match["more"] else 0.5
+    return f"{_number(number) + more:g} {'ft' if unit.lower().startswith('f') else 'm'}"
+
+
 def tokens(text: str) -> list[Token]:
     """Return the words and marks of a text; "king-size" is two words, "walk-in" is one."""
     lower = text.lower().replace("\u2019", "'")
     if len(lower) != len(text):  # a letter whose small form is longer: places would no longer fit
         lower = "".join(char.lower() if len(char.lower()) == 1 else char for char in text).replace("\u2019", "'")
-    lower = _ITEM.sub(lambda match: " " * len(match.group()), lower)
+    lower = _ITEM.sub(lambda match: " " * len(match.group()), _in_figures(lower))
     found = ((m.span(), _written.get(m.group(), (re.sub("[' -]", "", m.group()),))) for m in _TOKEN.finditer(lower))
     return _counted([Token(word, *span) for span, said in found for word in said])
 
@@ -227,7 +255,7 @@ def _aged(text: list[str]) -> tuple[int, list[str]] | None:
 
 def measures(text: str) -> list[Measure]:
     """Return the measures in a text; of those that overlap the first that is looked for."""
-    found: list[Measure] = []
+    found, text = list[Measure](), _in_figures(text)
     for pattern, read in _READERS:
         for match in pattern.finditer(text):
             start, end = match.span()

@@ -16,6 +16,7 @@ from robolayout.words._acting import acted
 from robolayout.words._appositions import described
 from robolayout.words._chunk import Chunk
 from robolayout.words._chunks import Chunker
+from robolayout.words._contents import contained
 from robolayout.words._counting import one_for_each
 from robolayout.words._framed import framed
 from robolayout.words._kinds import settle_kinds
@@ -202,7 +203,7 @@ def read_text(text: str, lexicon: Lexicon) -> Reading:
     """
     read = text[:LONGEST]
     words = _said_besides(reworded(tokens(read)))
-    chunks = described(framed(acted(Chunker(words, measures(read), lexicon).chunks())))
+    chunks = contained(described(framed(acted(Chunker(words, measures(read), lexicon).chunks()))))
     named = _place_named(chunks, words)
     if named is not None:
         chunks[named[0]] = named[1]
