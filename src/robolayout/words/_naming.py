@@ -185,7 +185,7 @@ class Naming(Counting):
         starts = self._ahead(-2).kind in ("and", "comma")
         last = (*self.group[-1:], mention)  # "..., and the desk and the bed should be near the window"
         again = [bool(one.thing.spans[1:]) for one in last] == [False, True] or not joined
-        plural = again and following.kind == "verb" and following.value in small.FINITE
+        plural = again and following.kind == "verb" and following.value in small.FINITE | small.MODAL
         stood = self._ahead(len(self.chunks[self.at :]) - len(rest) + 2 + 2 * among).value  # what follows the verb
         on_it = among and self._ahead().value == "on" and mention.can_be_on_a_top
         had = not joined and (self.said.last.relation, self.said.last.subjects) == ("with", (mention,))
@@ -199,7 +199,8 @@ class Naming(Counting):
             and mention.det in ("the", "both", "all")
             and self.group[-1].det not in ("the", "both", "all")
         )
-        other = other and [c.kind for c in self.chunks[self.at - 3 : self.at - 1]] == ["comma", "and"]
+        apart = [c.kind for c in self.chunks[self.at - 3 : self.at - 1]] == ["comma", "and"]
+        other = apart and (other or (self._ahead().kind == "and" and following.value not in small.ALONE_DOES))
         again = following.kind == "verb" and following.value in small.FINITE
         alone = (
             alone or (plural and starts) or (other and again)

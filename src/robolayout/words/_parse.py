@@ -132,6 +132,8 @@ class Parser(Relating):
             apart = k.subjects == tuple(last) and (k.relation != "around" or k.sided)
             self.said.links[-1] = replace(k, subjects=(own,)) if apart else k
             last[0].thing.number += many if at_sides else share * (2 if each else 1)
+        if last and share >= last[0].thing.count:  # "a bed flanked by two lamps; one is ..."
+            last = [m for m in self.spoken if m.several and share < m.count][-1:] or last
         first = self.dealt.get(last[0].thing, 0) if last else 0
         if not last or first + share > last[0].thing.count:
             return
@@ -399,8 +401,13 @@ class Parser(Relating):
 
     def _also_each(self, chunk: Chunk) -> bool:
         """Read what else each has, after what stands at it: "each table has a board on it and two chairs"."""
-        listed = [c.kind for c in self.chunks[self.at - 3 : self.at - 1]] == ["pron", "comma"] and chunk.noun is not None
-        listed = listed and chunk.noun is not None and chunk.noun.category.on_object  # "a chair behind it, a lamp and a mug"
+        listed = [c.kind for c in self.chunks[self.at - 3 : self.at - 1]] == [
+            "pron",
+            "comma",
+        ] and chunk.noun is not None
+        listed = (
+            listed and chunk.noun is not None and chunk.noun.category.on_object
+        )  # "a chair behind it, a lamp and a mug"
         joined = (self._ahead(-2).kind == "and" or listed) and chunk.det != "the"
         own = joined and self.acted and (self._ahead().kind != "rel" or self._ahead(1).kind in small.ALONE_AFTER)
         if not (own and self.every and all(mention.thing.times == self.every[1] > 1 for mention in self.acted)):

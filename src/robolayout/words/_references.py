@@ -131,6 +131,8 @@ class References(Naming):
         swapped = (place or laid) and held and not (hung or (low and not hangs)) and subjects == self.group[-1:]
         central = [k for k in self.said.links if k.relation == "middle" and named(self.holder) & named(k.subjects)]
         swapped = swapped and not (central and place_in(objects[:1], "wall", "corner", "window", "door"))
+        low = chunk.value == "middle" and held and self.holder[0].sat_on and self.group[-1].thing.head in small.TOPS
+        swapped = swapped and not low  # "chairs along the walls, with a table in the middle"
         swapped = swapped and chunk.adjectives[:1] not in (
             ("fixed",),
             ("mounted",),

@@ -61,6 +61,8 @@ class Relating(Holding):
         """Note a height that no room has as that of what the sentence is about: "the table, where I fold, should be 0.9 m high"."""
         about = (self.subject or self.group)[:1]
         own = measure.kind == "height" and measure.values[0] < ROOMS["height"][0] and bool(about)
+        it = any(chunk.value == "it" and chunk.start >= self.began for chunk in self.chunks[: self.at])
+        own = own or (measure.kind in SIDES and it and bool(about))  # "It should be 2 m in length."
         if own and measure.fits(about[0].thing.category.size):
             about[0].thing.sizes.append(measure)
             return True
@@ -365,7 +367,7 @@ class Relating(Holding):
         elif not subjects or (objects and self._turned_round(first, self.at)):
             place = place_in(self.fronted[1][:1]) if self.fronted is not None else None
             self.also = None if self.group else self.fronted if place else self.also
-            self.fronted = (chunk, list(objects))
+            self.fronted = (chunk, [*self._across_the_room(objects)])
             self.outer = mentions(objects) if self._ahead(-1).value == "which" else []
             self.group, self.acted = [], []
         elif subjects:

@@ -67,6 +67,11 @@ class NamedThing:
         return self.category.places
 
     @property
+    def hangs(self) -> bool:
+        """Whether some kind that its noun means hangs."""
+        return any(kind.on_wall or kind.on_ceiling for kind in self.noun.categories)
+
+    @property
     def look(self) -> tuple[str, ...]:
         """What is said of its colour, material and style, in words that can be drawn."""
         return tuple(word for word in (*self.adjectives, *self.told) if word in LOOKS)
@@ -119,8 +124,10 @@ class NamedThing:
             return True
         if chunk.plural and not chunk.det and old[-1] != new[-1]:
             return False  # "four racks in the middle, shelves along the walls"
-        if old[-1] == new[-1] or old[-1].endswith(new[-1]):
+        if old[-1] == new[-1]:
             return len(new) == 1 or len(old) == 1 or self.noun.kind == chunk.noun.kind
+        if old[-1].endswith(new[-1]) and len(new) == 1:
+            return True  # "the board" of a whiteboard, but an ironing board is no cupboard
         return self.noun.kind == chunk.noun.kind
 
     def same_words(self, chunk: Chunk) -> bool:

@@ -194,7 +194,7 @@ class Spoken:
         if aside and [c.kind for c in self.chunks[index : index + 2]] == ["comma", "thing"] and first > 1:
             return self.chunks[first - 2].kind == "comma"  # "a sofa and, next to it, a lamp"
         while index < len(self.chunks) and self.chunks[index].kind in ("verb", "filler", "style", "pron"):
-            verb = verb or self.chunks[index].kind == "verb"
+            verb = verb or self.chunks[index].kind == "verb" or self.chunks[index].value in small.SPEAKING
             index += 1
         if index >= len(self.chunks) or self.chunks[index].kind != "thing":
             return False

@@ -68,8 +68,9 @@ _APART = re.compile(
     rf"(?:\b(?:(at least|(?:no|not) less than|more than|(?:no|not|none)(?: of them)? (?:closer|nearer) than)"
     r"|(at most|no more than|up to|less than|within))\s+)?"
     rf"(?:(?:between\s+)?{_N}{_U}\s*(?:to|and|or|-|\u2013)\s*)?"
-    rf"{_N}{_U}\s*(?:(?:of )?(?:(?:free|clear|empty) )?(?:space |floor |distance |gap |passage |clearance )?(?:left |kept )?between|"
-    rf"apart|from (?:each other|one another)|(?:away )?from|off|of|to)\b",
+    rf"{_N}{_U}\s*(?:or (more|less)\s+)?(?:(?:of )?(?:(?:free|clear|empty) )?"
+    r"(?:space |floor |distance |gap |passage |clearance )?(?:left |kept )?between|"
+    r"apart|from (?:each other|one another)|(?:away )?from|off|of|to)\b",
     re.IGNORECASE,
 )
 Size = tuple[float, float, float]
@@ -297,7 +298,8 @@ def _length(match: re.Match[str]) -> Said:
 
 
 def _gap(match: re.Match[str]) -> Said:
-    least, most, first, own, number, unit = match.groups()
+    least, most, first, own, number, unit, over = match.groups()
+    least, most = least or ("at least" if over == "more" else None), most or ("at most" if over == "less" else None)
     closer = bool(least) and least.lower().startswith("no") and " than" in least and "less" not in least
     if not unit or (not most and match.group().endswith("of")) or closer != match.group().endswith("to"):
         return None
