@@ -25,7 +25,7 @@ AT_WALL, IN_CORNER = 0.15, 0.35
 TWO_FRONTS = ("desk", "table", "counter")
 """Last words of what faces a thing when who sits at it does."""
 
-LOWEST_SEAT = 0.05
+LOWEST_SEAT = 0.01
 """Metres above the floor of a thing from which on what is within its box can stand on it: a seat, a mattress, the lowest board."""
 
 ALSO = {"shelf": "shelving unit", "stool": "bar stool", "sink": "washbasin", "toy": "toy box"}

@@ -90,7 +90,7 @@ def low_enough(lower: Asset, upper: Asset) -> Asset:
 def clearance(upper: Asset, size: tuple[float, float]) -> float:
     """Return the greatest height in metres up to which a thing of a depth and width stands under another; 0 where nowhere."""
     heights = sorted({prism.low for prism in prisms_of(upper) if prism.low > BENEATH.ease}, reverse=True)
-    tried = (height - 2 * BENEATH.ease for height in heights)
+    tried = (height - 2 * BENEATH.ease for height in heights if height > 2 * BENEATH.ease)
     return next((high for high in tried if places_beneath(upper, Asset("box", "box", (*size, high)))), 0.0)
 
 

@@ -44,11 +44,10 @@ LOW_ENOUGH, LEAST_SHARE = 0.95, 0.6
 """How much of the height of a shelf what goes there takes at the most, and by how much it is made smaller at the most for that."""
 
 
-BESIDE, NARROWED = (
-    0.08,
-    ("bench", "cabinet", "counter", "desk", "dresser", "rack", "shelf", "table", "unit", "wardrobe"),
-)
-"""Metres left beside each of the things that stand along one wall, if they have to be made narrower for it; last words of those that may be."""
+BESIDE = 0.08
+"""Metres left beside each of the things that stand along one wall, if they have to be made narrower for it."""
+NARROWED = ("bench", "cabinet", "counter", "desk", "dresser", "rack", "shelf", "table", "unit", "wardrobe")
+"""Last words of what may be."""
 
 
 @dataclass(frozen=True)
@@ -204,7 +203,7 @@ def _narrow_enough(assets: Sequence[Asset], wishes: RoomWishes, room: Room) -> I
     """Yield things, of which those that words put at one wall are narrow enough to stand there side by side."""
     there: dict[int, set[str]] = {}
     at = [k for k in wishes.reading.parsed.links if k.relation in ("wall", "on") and wishes.reading.size is not None]
-    for link, place in ((link, place) for link in at for place in places(link.objects[:1], "wall")):
+    for link, place in ((k, place) for k in at for place in places(k.objects[:1], "wall")):
         if len(walls := walls_meant(room, place)) == 1:
             names = (_as_asked(mention, wishes).name for mention in link.subjects)
             there.setdefault(walls[0].index, set()).update(name for name in names if name.endswith(NARROWED))

@@ -11,7 +11,7 @@ from robolayout.words import _function_words as small
 from robolayout.words._appositions import LISTED
 from robolayout.words._chunk import Chunk, opening_before
 from robolayout.words._references import References
-from robolayout.words._said import Item, Mention, Place, mentions, named, place_in, place_of, sides
+from robolayout.words._said import Item, Mention, Place, mentions, named, of_the_plan, place_in, place_of, sides
 from robolayout.words._spoken import across
 from robolayout.words._ways import CROWD
 
@@ -84,7 +84,8 @@ class About(References):
             if following.kind != "people":
                 self.said.facts.append(following)
             return Place("room")
-        return self._pronoun(following, chunk) if following.kind == "pron" else None
+        two = following.value == "the other two"
+        return self._other_two() if two else self._pronoun(following, chunk) if following.kind == "pron" else None
 
     def _pronoun(self, word: Chunk, chunk: Chunk) -> Item | None:
         """Return what a pronoun after a relation stands for; "which" only where a verb follows ("on which sits a lamp")."""
@@ -95,10 +96,6 @@ class About(References):
         if word.value in ("that", "which", "both") and not (which or that or both):
             return None
         self.at += 1
-        if word.value == "the other two":
-            others = {m.thing: m for m in (*self.spoken, *self.recent) if m.thing not in named(self.about)}
-            self.pending = [*others.values()][-1:]
-            return next(iter([*others.values()][-2:-1]), None)
         own = named(self.about)
         own |= {m.thing for k in self._here if k.relation == "with" and named(k.objects) & own for m in k.subjects}
         if word.value == "it" and self.opening is not None and {m.thing for m in self.recent} <= own:
@@ -110,6 +107,9 @@ class About(References):
         if opening is not None:
             return place_of(opening)
         own, meant = named(self.about), (self.acted or self.group)[-1:]
+        right_before = self.target is not None and self.target.thing.spans[-1][1] == self._ahead(-3).start
+        if which and right_before and self.target is not None and not self.target.sat_on:
+            meant = [self.target]  # "a bench next to the dresser, on which there is a vase"
         if not which:
             others = [m for m in self.recent or self.before if m.thing not in own][-1:]
             meant = others if that else self._standing(self._meant(word.value, chunk.value), chunk)
@@ -127,14 +127,6 @@ class About(References):
             return Mention(meant[0].thing, None, "each")
         return meant[0] if meant else None
 
-    def _standing(self, meant: list[Mention], chunk: Chunk) -> list[Mention]:
-        """Return what bears a small thing where furniture is said to stand beside it: "a globe is on the desk and a bin beside it"."""
-        stands = chunk.value == "behind" or not any("object" in mention.thing.places for mention in self.about)
-        if len(meant) != 1 or not (meant[0].laid and stands and chunk.value in (*small.STANDING, "under")):
-            return meant
-        on = [k.objects for k in self.said.links if k.relation == "on" and meant[0].thing in named(k.subjects)]
-        return mentions(on[-1]) or meant if on else meant
-
     def _place_of(self, chunk: Chunk) -> Item:
         """Return a place of the room, or the thing whose side it is ("the foot of the bed")."""
         following = self.chunks[self.at : self.at + 2]
@@ -143,7 +135,7 @@ class About(References):
             told = any((place.name, place.number) == (chunk.value, chunk.number) for place, _ in self.said.openings)
             if chunk.number > 1 and not told:
                 self.said.openings.append((place_of(chunk), (chunk.start, chunk.end)))
-        on_a_wall = [c.value for c in following] in (["on", "wall"], ["in", "wall"]) and sides(following[1])
+        on_a_wall = [c.value for c in following] in (["on", "wall"], ["in", "wall"]) and of_the_plan(following[1])
         if chunk.value in ("window", "door") and on_a_wall and not sides(chunk):  # "facing the window on the east wall"
             self.at += 2
             self._understood(*following)
@@ -272,7 +264,14 @@ class About(References):
         seated = len(heads) > 1 and heads[0] in small.TOPS and heads[1] in ("chair", "stool")
         lined = seated and relation in ("rows", "columns") and self.group[-2].several  # "desks and chairs in rows"
         laid = self._laid(relation, last)
-        if len(self.group) > 1 and (lined or does or (self._shared(relation) and (relation == "on" or not laid))):
+        several = len(self.group) > 1
+        of_holder = self._had_so(relation) if several else None
+        shared = (
+            of_holder
+            if of_holder is not None
+            else several and self._shared(relation) and (relation == "on" or not laid)
+        )
+        if several and (lined or does or shared):
             own = seated and (lined or (self._ahead().kind == "part" and following != "side"))
             return self.group[-2 if lined else 0 : len(self.group) - own]  # "a table and four chairs by the window"
         on_tops = self.target is not None and self.target.thing.category.on_object
@@ -329,6 +328,14 @@ class About(References):
         self._link(replace(rel, value="on"), [laid], [table])
         return [table]  # "two chairs with a table and a tissue box between them"
 
+    def _had_so(self, relation: str) -> bool | None:
+        """Return whether all that something has is so to it ("a basin with a mirror and a shelf above it"), None if it has nothing."""
+        to_it = self._ahead().kind == "pron" and self.having and bool(self.holder)
+        if not to_it or relation not in (*small.STANDING, "above", "under"):
+            return None
+        things = [mention.thing for mention in self.group]
+        return all(thing.hangs if relation == "above" else thing.places == ("floor",) for thing in things)
+
     def _shared(self, relation: str) -> bool:
         """Return whether a relation after a list is about all of it: "a sofa and an armchair in the corner".
 
@@ -340,8 +347,6 @@ class About(References):
             return False  # "a table for six and two chairs by the window"
         to = next((c for c in self.chunks[self.at :] if c.kind not in ("filler", "style")), Chunk("", 0, 0))
         again = to.kind == "pron" or any(thing.same(to) for thing in (*earlier, last))
-        if to.kind == "pron" and self.having and self.holder and relation in (*small.STANDING, "above", "under"):
-            return all(thing.hangs if relation == "above" else thing.places == ("floor",) for thing in (*earlier, last))
         ends = to.kind in ("", "and", "comma", "stop")  # "a bed, a desk beneath"
         among = ends and relation == "middle" and last.head in small.TOPS and {a.head for a in earlier} <= small.LOUNGE
         if relation == "around" or among:

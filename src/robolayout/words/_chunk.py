@@ -118,6 +118,9 @@ def without_noun(
     told, looks = told or "", {*(told or "").split()}
     nouns = [c for c in found if c.kind in ("thing", "part") and (new or looks & {*c.adjectives} or _of_several(c))]
     nouns = [c for c in nouns if not told or c.plural or c.number or c.kind == "thing"]  # "the upper one" is no corner
+    values = " ".join(c.value for c in found)
+    shared = picks == "another" and "one of them" in values  # "a lamp on one of them and a vase on another"
+    nouns = [c for c in nouns if c.kind == "thing" and _of_several(c)] or nouns if shared else nouns
     led = [c for before, c in pairwise(found) if before.kind == "rel" and c in nouns]
     alike = [c for c in nouns if c.noun is not None and looks & {*c.adjectives, *c.noun.said.split()}]
     sided = any({"side", "left", "right"} & {*c.adjectives} for c in found if c.kind == "rel")
@@ -127,7 +130,7 @@ def without_noun(
     many = " ones " in match.group() or picks in ("others", "rest", "other half")
     many = many or bool(but or (number and count_of(number) != 1))
     det = "one" if but else "new" if new and picks else DETERMINERS.get(picks or "", "new" if new else "the")
-    det = "other" if (picks or "").removesuffix(" half") in REST else det
+    det = "other" if shared or (picks or "").removesuffix(" half") in REST else det
     side = words[end + 2] if words[end : end + 2] == ["on", "the"] and end + 2 < len(words) else ""
     told, end = (side, end + 3) if one is None and not picks and side in ("left", "right") else (told, end)
     if leads and picks == "other" and sided:

@@ -223,6 +223,9 @@ class Chunker(ClosedWords):
             new = "new" if number is not None and word in ("more", "additional", "further", "extra") else ""
             return (new, None, "", 0, 1) if self._run(i + 1) or count_of(rest[0] if rest else "") else None
         count = None if self._seats(i) or (rest[:1] and rest[0] in small.SCALES) else count_of(word)
+        alone = det == "a" and count and count > 1 and word not in (*VAGUE, "couple", "dozen", "pair", "trio", "twin")
+        if alone and self.lexicon.noun(rest[:1]) is None and self._run(i + 2):
+            return ("", None, "", 0, 2)  # "a six-axis robot arm"
         if count and (number is None or det == "one") and word not in ("a", "an", "twin", "couple"):
             unit = rest[:1] in (["of"], ["x"]) or (rest[:1] in (["pcs"], ["pc"], ["nos"]) and bool(self._run(i + 2)))
             return ("", count, "vague" if word in VAGUE else "", 0, 1 + unit)
@@ -404,13 +407,6 @@ class Chunker(ClosedWords):
             return None  # "of glass"
         noun = self.lexicon.noun(tail)
         return ("thing", "", noun) if noun else None
-
-    def _promises(self, run: list[str]) -> bool:
-        """Return whether an article before such words promises a thing."""
-        last, known = run[-1], self.grammar
-        kinds = (known.styles, known.functions, known.fillers, known.sizes, known.walls)
-        closed = any(last in words for words in (*kinds, small.COMPARING, small.NO_THINGS))
-        return not closed and len(last) > 2 and not last.endswith(("ly", "wards"))
 
     def _single(self, at: int) -> Chunk:
         """Return a word that is part of nothing larger."""

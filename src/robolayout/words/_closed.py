@@ -216,3 +216,10 @@ class ClosedWords:
         if word in ("both", "all"):
             return ("all", None, "", 0, 2)
         return ("one", count, "", 0, 2) if count and {*rest[1:2]} & {"the", "these", "those", "his", "her"} else None
+
+    def _promises(self, run: list[str]) -> bool:
+        """Return whether an article before such words promises a thing."""
+        last, known = run[-1], self.grammar
+        kinds = (known.styles, known.functions, known.fillers, known.sizes, known.walls)
+        closed = any(last in words for words in (*kinds, small.COMPARING, small.NO_THINGS))
+        return not closed and len(last) > 2 and not last.endswith(("ly", "wards"))

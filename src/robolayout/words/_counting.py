@@ -18,7 +18,7 @@ class Counting(Spoken):
     def _others_follow(self, chunk: Chunk) -> bool:
         """Return whether this sentence goes on with the other ones of some things: "one chair on the left, the other on the right"."""
         rest = takewhile(lambda c: c.kind != "stop", self.chunks[self.at :])
-        return any(c.det in ("other", "new") and c.noun is chunk.noun for c in rest)
+        return any(c.det in ("other", "new") and c.noun == chunk.noun for c in rest)
 
     def _counted_one(self, thing: NamedThing) -> bool:
         """Return whether a thing was first named as one of a number: "one armchair is on the left, the other on the right"."""

@@ -8,7 +8,7 @@ from dataclasses import replace
 from itertools import dropwhile, takewhile
 
 from robolayout.words import _function_words as small
-from robolayout.words._chunk import Chunk
+from robolayout.words._chunk import NOTHING, Chunk
 from robolayout.words._said import Item, Link, Mention, mentions, named
 from robolayout.words._spaces import Spaces
 
@@ -19,7 +19,9 @@ class Holding(Spaces):
     def _list_goes_on(self, had: int) -> bool:
         """Return whether a plain list goes on from a comma, to the end (", a keyboard and a chair.") or to what goes with others."""
         kinds = takewhile(lambda kind: kind != "stop", (chunk.kind for chunk in self.chunks[self.at :]))
-        rest = " ".join(kinds).replace(" filler thing", "").split()  # "a box of slides"
+        rest = re.sub(
+            " filler (?:thing|other|function)", "", " ".join(kinds)
+        ).split()  # "a box of slides", "a glass of water"
         more = "*" if had > 1 else "+"  # ", a keyboard and a chair, a plant by the door"; ", and a chair, ..."
         inner = re.match(f"(comma thing ){more}(comma )?and thing (?=comma|and)", " ".join(rest))
         listed = self.chunks[self.at : self.at + len(inner[0].split())] if inner else []
@@ -143,6 +145,34 @@ class Holding(Spaces):
         """Return whether a list of small things ends with "on it"."""
         rest = [*dropwhile(lambda c: c.kind in ("thing", "and", "comma", "filler", "style"), self.chunks[self.at :])]
         return [c.value for c in rest[:2]] == ["on", "it"]
+
+    def _of_people(self) -> bool:
+        """Return whether this clause is about somebody: "guests are received near the door" moves no furniture."""
+        before = self.chunks[: self.at - 1]
+        ends = [i for i, chunk in enumerate(before) if chunk.kind in ("comma", "and", "stop", "colon")]
+        clause = before[ends[-1] + 1 if ends else 0 :]
+        if [chunk.value for chunk in clause] in (["everybody"], ["everyone"]) or self._ahead(-2).value == "everything":
+            return True  # "everybody looks at the board", "everything along one wall"
+        to = next((chunk.kind for chunk in self.chunks[self.at :] if chunk.kind != "filler"), "")
+        if clause and clause[0].value in small.SPEAKING and to in ("other", "function"):
+            return True  # "where we do the crossword over our tea"
+        clause = [chunk for chunk in clause if chunk.kind != "filler"]
+        if [chunk.kind for chunk in clause[-1:]] == ["people"] and "sitting" in self._ahead(-1).adjectives:
+            return True  # "a lamp such that a person sitting on the sofa sees it"
+        if len(clause) < 2 or any(chunk.kind in ("thing", "pron") for chunk in clause):
+            return False
+        who, does = clause[0], clause[1].kind in ("verb", "other")
+        unknown = who.kind == "other" and who.value.endswith("s") and not who.value.endswith("ss")
+        return does and (unknown or who.kind in ("function", "people", "body"))
+
+    def _of_what_is_unknown(self) -> bool:
+        """Return whether a relation is about words that say nothing: "..., and sound panels on the wall"."""
+        before = [*dropwhile(lambda c: c.kind == "style", reversed(self.chunks[: self.at - 1]))]
+        known = next(dropwhile(lambda c: c.kind in ("other", "function"), before), NOTHING)
+        # "a cabinet with gadgets along the wall", but not "a cabinet with gadgets on it"
+        having = self.having and known.kind != "comma"  # but "a pool table, cues on the wall"
+        held = self.group and (known.kind == "with" or having) and self._ahead().kind != "pron"
+        return known not in (*before[:1], NOTHING) and known.kind in ("and", "comma", "with") and not held
 
 
 def is_accessory(mention: Mention) -> bool:

@@ -283,6 +283,21 @@ class References(Naming):
             meant = part or chunk.value != "by"
         return meant and (kinds[2:] or ["stop"])[0] in ends
 
+    def _standing(self, meant: list[Mention], chunk: Chunk) -> list[Mention]:
+        """Return what bears a small thing where furniture is said to stand beside it: "a globe is on the desk and a bin beside it"."""
+        stands = chunk.value == "behind" or not any("object" in mention.thing.places for mention in self.about)
+        if len(meant) != 1 or not (meant[0].laid and stands and chunk.value in (*small.STANDING, "under")):
+            return meant
+        on = [k.objects for k in self.said.links if k.relation == "on" and meant[0].thing in named(k.subjects)]
+        return mentions(on[-1]) or meant if on else meant
+
+    def _other_two(self) -> Mention | None:
+        """Return the first of the two things that were named besides what is spoken of, and keep the second."""
+        self.at += 1
+        others = {m.thing: m for m in (*self.spoken, *self.recent) if m.thing not in named(self.about)}
+        self.pending = [*others.values()][-1:]
+        return next(iter([*others.values()][-2:-1]), None)
+
 
 def _of_what_bears(relation: str, items: Sequence[Item]) -> bool:
     """Return whether a relation is about what small things are on: "a table with magazines in front of the sofa"."""

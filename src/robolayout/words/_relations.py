@@ -5,10 +5,10 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import replace
-from itertools import dropwhile, takewhile
+from itertools import takewhile
 
 from robolayout.words import _function_words as small
-from robolayout.words._chunk import NOTHING, Chunk
+from robolayout.words._chunk import Chunk
 from robolayout.words._holding import Holding
 from robolayout.words._lexicon import Noun
 from robolayout.words._said import Item, Link, Mention, NamedThing, Place, mentions, named, place_in, place_of
@@ -122,7 +122,10 @@ class Relating(Holding):
             self._each_has([], self._people() or 1)
             return
         which = self.relative and who.value in ("which", "that")
-        if self.target is not None and self.target.det == "a" and (who.kind == "thing" or which):
+        each = [m for m in mentions(self.said.last.objects) if m.det == "each" and self.said.last.relation == "on"]
+        if who.kind == "and" and each:
+            self.holder = each  # "every desk holds a lamp and has a chair in front of it"
+        elif self.target is not None and self.target.det == "a" and (who.kind == "thing" or which):
             self.holder = [self.target]  # "facing a television with speakers", "a bench, which has a vase on it"
         elif self.group:
             clause = who.kind == "comma" and self.acted and len(self.subject) == 1
@@ -233,7 +236,8 @@ class Relating(Holding):
         of_it = its and not {"its", "their"} & {*chunk.adjectives}  # "on the right a bed"
         whose = "them" if "their" in chunk.adjectives else "it"
         it = self._led_back(chunk.value) if of_it else self._meant(whose, chunk.value)
-        objects = list[Item](it) if its else self._objects(chunk)
+        meant = list[Item](it if place_in(it[:1]) else self._standing(mentions(it), chunk))
+        objects = meant if its else self._objects(chunk)
         if chunk.value == "amid" and self._ahead(-1).value == "them":
             facing = self._between_the_last()  # "two armchairs opposite the sofa with a table between them"
             two = sum(one.count for one in mentions(facing)) == 2  # "a sofa opposite the TV, a table between them"
@@ -420,31 +424,3 @@ class Relating(Holding):
         self.at += 1
         self._fact(Chunk("body", following.start, following.end, small.AIDS[following.noun.kind]))
         return True
-
-    def _of_people(self) -> bool:
-        """Return whether this clause is about somebody: "guests are received near the door" moves no furniture."""
-        before = self.chunks[: self.at - 1]
-        ends = [i for i, chunk in enumerate(before) if chunk.kind in ("comma", "and", "stop", "colon")]
-        clause = before[ends[-1] + 1 if ends else 0 :]
-        if [chunk.value for chunk in clause] in (["everybody"], ["everyone"]) or self._ahead(-2).value == "everything":
-            return True  # "everybody looks at the board", "everything along one wall"
-        to = next((chunk.kind for chunk in self.chunks[self.at :] if chunk.kind != "filler"), "")
-        if clause and clause[0].value in small.SPEAKING and to in ("other", "function"):
-            return True  # "where we do the crossword over our tea"
-        clause = [chunk for chunk in clause if chunk.kind != "filler"]
-        if [chunk.kind for chunk in clause[-1:]] == ["people"] and "sitting" in self._ahead(-1).adjectives:
-            return True  # "a lamp such that a person sitting on the sofa sees it"
-        if len(clause) < 2 or any(chunk.kind in ("thing", "pron") for chunk in clause):
-            return False
-        who, does = clause[0], clause[1].kind in ("verb", "other")
-        unknown = who.kind == "other" and who.value.endswith("s") and not who.value.endswith("ss")
-        return does and (unknown or who.kind in ("function", "people", "body"))
-
-    def _of_what_is_unknown(self) -> bool:
-        """Return whether a relation is about words that say nothing: "..., and sound panels on the wall"."""
-        before = [*dropwhile(lambda c: c.kind == "style", reversed(self.chunks[: self.at - 1]))]
-        known = next(dropwhile(lambda c: c.kind in ("other", "function"), before), NOTHING)
-        # "a cabinet with gadgets along the wall", but not "a cabinet with gadgets on it"
-        having = self.having and known.kind != "comma"  # but "a pool table, cues on the wall"
-        held = self.group and (known.kind == "with" or having) and self._ahead().kind != "pron"
-        return known not in (*before[:1], NOTHING) and known.kind in ("and", "comma", "with") and not held

@@ -366,6 +366,11 @@ def place_of(chunk: Chunk) -> Place:
     return Place(chunk.value, chunk.adjectives, chunk.number, chunk.plural, chunk.det, opening=chunk.opening)
 
 
+def of_the_plan(wall: Chunk) -> tuple[str, ...]:
+    """Return at which side of the plan a wall is that is told so: "the left wall" is the west one."""
+    return tuple(side for word in wall.adjectives if (side := grammar().walls.get(word)) in COMPASS)
+
+
 def sides(chunk: Chunk | Place) -> tuple[str, ...]:
     """Return the words of a door or window that say which wall it is in: "the north window", but not "the front door"."""
     words = chunk.adjectives if isinstance(chunk, Chunk) else chunk.words
