@@ -83,6 +83,10 @@ class Added:
         self.spared |= {name for name, role in single.items() if "hang" in role.stands and high & {*role.above[:1]}}
         shelves = [m for link in said if link.relation == "above" for m in link.subjects if m.thing.head == "shelf"]
         self.spared |= {"wall cabinet"} if shelves and high & {"counter"} else set()
+        kept = self._roles_of(thing for k in said if k.relation == "bare" for thing in named(k.objects))
+        usual = wishes.playing((*wishes.room.base, *wishes.room.extras)).items()
+        on = {name: {one for join in role.joins if join.on_top for one in join.of} for name, role in usual}
+        self.spared |= {name for name in on if on[name] & kept and wishes.kinds[name].places == ("object",)}
         self.named = self.spared | self.wished.keys()
         corners = [
             k for k in said if k.relation in ("corner", "cleared", "sidelong") or place_in(k.objects[:1], "corner")

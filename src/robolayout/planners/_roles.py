@@ -129,7 +129,7 @@ def _anchor(item: Cast, cast: Mapping[str, Cast], handy: Set[str]) -> tuple[str,
             free = [
                 (-taken[name] if join.gather else taken[name], -_footprint(other.asset) * other.role.top, order, name)
                 for order, (name, other) in enumerate(cast.items())
-                if (name in handy or not join.on_top)
+                if (not join.on_top or (name in handy and "bare" not in other.asset.metadata))
                 and (other.role.name == wanted or (wanted == "*" and other.role.top))
                 and taken[name] < join.most
                 and (join.slot != "around" or taken[name] < most_seats(other.asset, item.asset))
@@ -167,6 +167,7 @@ def _any_top(item: Cast, cast: Mapping[str, Cast]) -> tuple[str, Join] | None:
         )
         for name, other in cast.items()
         if other.asset.on_floor and not other.asset.is_flat and item.name not in chain(name, cast)
+        if "bare" not in other.asset.metadata
     ]
     return (min(best)[-1], ON_ANY) if best else None
 

@@ -299,6 +299,7 @@ def _assets(
     assets: dict[str, object] = {}
     links = wishes.reading.parsed.links
     hung = {t for k in links if place_in(k.objects, "ceiling") for t in named(k.subjects)}
+    bare = {t for k in links if k.relation == "bare" for t in named(k.objects)}  # "nothing on the desk"
     # "a microwave above the stove", with no shelf that is said to bear it
     borne = {t for k in links if k.relation == "on" for t in named(k.subjects)}
     held = {t for k in links if k.relation == "above" for t in named(k.subjects) - borne if t.places == ("object",)}
@@ -313,7 +314,7 @@ def _assets(
                 d, w, h = measure.on((d, w, h))
             size = (d, w, min(h, round(found.height - SPARE, 3)))
             look = ", ".join((style, *(thing.look if thing is not None else ())))
-            entry = {**mesh, **asset_entry(kind, size), "look": look}
+            entry = {**mesh, **asset_entry(kind, size), "look": look} | ({"bare": True} if thing in bare else {})
             if kind.on_ceiling and thing in hung:  # it stands on nothing
                 entry |= {"onCeiling": True, "onObject": False, "onWall": False, "onFloor": False}
             elif thing in held:

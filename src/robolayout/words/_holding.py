@@ -137,7 +137,7 @@ class Holding(Spaces):
         closes = self._ahead().kind in ("comma", "stop", "") and mention.thing.noun.said in small.WORKED_AT
         goes_with = tops and (closes or not joined) and is_accessory(mention)
         had = joined and (self.said.last.relation, self.said.last.objects) == ("with", (holder,))
-        clock = had and mention.thing.places == ("wall",)  # "a table with a bowl and a clock"
+        clock = had and "floor" not in mention.thing.places  # "a table with a bowl and a clock"
         on = mention.topped or (mention.can_be_on_a_top and (clock or self._on_it_follows()))
         return (on or goes_with or told) and not holder.topped
 

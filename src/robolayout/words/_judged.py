@@ -7,11 +7,12 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Literal
 
-from shapely import Polygon, get_parts
+from shapely import Point, Polygon, get_parts
 from shapely.geometry.base import BaseGeometry
 
 from robolayout.assets import category_of
-from robolayout.constraints import Relation
+from robolayout.constraints import AssetRef, Relation
+from robolayout.constraints._exact import footprint
 from robolayout.constraints.between import BetweenTwo
 from robolayout.scene import Layout, Room, Scene
 from robolayout.words import _function_words as small
@@ -39,6 +40,9 @@ ZONES = (" area", " zone", " section", " space", " nook")
 UP_TO = 0.5
 """Metres between a body's edge and what a way leads up to."""
 
+
+LAID = 0.02
+"""Metres by which the bottom of what stands on a top, or within it, is off that top or the floor."""
 
 UNDER = 0.01
 """Square metres below a thing at which the middle of a body that gets under it can be."""
@@ -160,6 +164,20 @@ def hung(things: Sequence[str], room: Furnished) -> Finding:
     tops = [room.layout[name].z + room.scene.by_name[name].size[2] / 2 for name in things]
     off = max((room.scene.room.wall_height - top for top in tops), default=0.0)
     return met(off <= SIZE_OFF, f"{off:.2f} m below the ceiling")
+
+
+def bared(tops: Sequence[str], room: Furnished) -> Finding:
+    """Judge whether nothing stands or lies on some things, or within them."""
+    laid = [asset for asset in room.scene.assets if asset.on_object and asset.name in room.layout]
+    there = list[str]()
+    for top in map(room.scene.by_name.__getitem__, tops):
+        over = footprint(room.scene, room.layout, AssetRef(top.name))
+        for asset in laid:
+            at = room.layout[asset.name]
+            bottom = at.z - asset.size[2] / 2
+            within = LAID < bottom < room.layout[top.name].z + top.size[2] / 2 + LAID
+            there += [asset.name] * (asset is not top and within and over.covers(Point(at.at)))
+    return met(not there, f"{', '.join(there) or 'nothing'} there")
 
 
 def bodied(name: str, room: Furnished) -> Finding:

@@ -191,7 +191,7 @@ class Naming(Counting):
         had = not joined and (self.said.last.relation, self.said.last.subjects) == ("with", (mention,))
         if self.having and had and self._ahead(-2).kind == "comma":
             return False  # "a table with chairs around it, a jug and a bowl is ..."
-        if joined and self.having and (on_it or (mention.topped and stood in ("opposite", "wall"))):
+        if joined and self.having and (on_it or (mention.laid and stood in ("opposite", "wall"))):
             return False  # "a counter with a kettle and a toaster is opposite", "a desk with a lamp and a statue on it is ..."
         alone = following.value in small.ALONE_DOES and (mention.thing.count == 1 if joined else starts)
         other = (

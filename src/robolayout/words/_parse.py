@@ -294,8 +294,9 @@ class Parser(Relating):
         bare = self._previous(chunk) == "and" and not chunk.det  # "a stacked washer and dryer"
         if bare and last.relation == "stacked" and [m.count for m in last.subjects] == [1]:
             self.said.links[-1] = replace(last, subjects=(*last.subjects, mention))
-        if self._previous(chunk) in small.ALIKE and self.said.links:  # "a sofa is by the window, and so is a desk"
-            self.said.links.append(replace(self.said.links[-1], subjects=(mention,)))
+        like = [k for k in self.said.links if mention.laid or not any(subject.laid for subject in k.subjects)][-1:]
+        if self._previous(chunk) in small.ALIKE and like:  # "a sofa is by the window, and so is a desk"
+            self.said.links.append(replace(like[0], subjects=(mention,)))
 
     def _none_of(self, chunk: Chunk) -> Chunk:
         """Return all of what was named before, where none of it is to stand as a relation says: "no bookcase blocks the door"."""

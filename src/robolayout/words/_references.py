@@ -285,8 +285,8 @@ class References(Naming):
 
     def _standing(self, meant: list[Mention], chunk: Chunk) -> list[Mention]:
         """Return what bears a small thing where furniture is said to stand beside it: "a globe is on the desk and a bin beside it"."""
-        stands = chunk.value == "behind" or not any("object" in mention.thing.places for mention in self.about)
-        if len(meant) != 1 or not (meant[0].laid and stands and chunk.value in (*small.STANDING, "under")):
+        stands = chunk.value == "behind" or all(mention.thing.places[0] != "object" for mention in self.about)
+        if len(meant) != 1 or not (meant[0].can_be_on_a_top and stands and chunk.value in (*small.STANDING, "under")):
             return meant
         on = [k.objects for k in self.said.links if k.relation == "on" and meant[0].thing in named(k.subjects)]
         return mentions(on[-1]) or meant if on else meant

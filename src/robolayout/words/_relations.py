@@ -341,8 +341,9 @@ class Relating(Holding):
             self._understood(chunk)
         elif self.empty and chunk.value == "turnedfrom" and objects:  # "nobody sits with the back to the door"
             self.said.links.append(Link("faced", (), tuple(objects), chunk.start, chunk.end))
-        elif self.empty and place:
-            self._keep_empty(chunk, objects)
+        elif self.empty and (place or (chunk.value == "on" and objects)):
+            own = chunk.value == "on" and place and place.name in small.OPENINGS_AND_CORNERS
+            self._keep_empty(chunk, self.about if own else objects)  # "a desk by the window with nothing on it"
         elif self.negated and subjects and (chunk.value in small.NEARNESS or (barred and place)):
             gap = Measure("apart", (KEPT_OFF, math.inf), 0, 0)
             self._link(replace(chunk, value="apart", measure=gap), subjects, objects)

@@ -272,6 +272,10 @@ class _RowMaker:
             return self._way(link, words)
         if link.relation == "beneath":
             return self._beneath(link, words)
+        if link.relation == "bare" and mentions(link.objects):
+            tops = tuple(name for to in mentions(link.objects) for name in self.names.get(to.thing, ()))
+            words = words if " " in words else f"nothing {words} {as_row.shown(link.objects[0])}"
+            return Unjudged(words, "refusal", "nothing on top", partial(as_row.bared, tops), tops)
         about = ", ".join(as_row.shown(mention) for mention in link.subjects)
         to = " and ".join(as_row.shown(item) for item in link.objects if link.relation != "aloft")
         own, led = about in words.lower(), not to or to in words.lower()  # as in phrases that stand for others
