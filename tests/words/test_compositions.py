@@ -123,6 +123,12 @@ FORMS = [
     ),
     ("Between the {a} and the {t} there is {M}, and on the {t} stands {S}.", "m amid a, m amid t, s on t"),
     ("A rug lies in front of the {a}; on it stands {B}.", "rug front a, b on rug"),
+    ("{A} is {p}. On the right-hand side of the room, two {m}s stand.", "a at p, m at side, 2 m"),
+    (
+        "Two beds stand against the north wall, and each has a nightstand beside it with {S} on it.",
+        "bed at wall, nightstand with bed, s on nightstand, 2 bed, 2 nightstand, 2 s",
+    ),
+    ("{A} is {p}, with {M} in front of it and a music stand beside it.", "a at p, m front a, music_stand next a"),
     ("{A} stands on a rug {p}, with {M} next to it.", "a on rug, m next a"),
 ]
 
@@ -139,7 +145,7 @@ def compose(form: tuple[str, str], seed: int) -> tuple[str, Counter[str], set[tu
     articles = {slot.upper(): f"{'an' if kind[0] in 'aeiou' else 'a'} {kind}" for slot, kind in words.items()}
     counts, relations, absent = Counter[str](), set[tuple[str, str, str]](), set[str]()
     for said in form[1].split(", "):
-        first, *rest = said.split(" ")
+        first, *rest = (word.replace("_", " ") for word in said.split(" "))
         if first == "no":
             absent.add(named[rest[0]])
         elif first.isdigit():
@@ -147,7 +153,7 @@ def compose(form: tuple[str, str], seed: int) -> tuple[str, Counter[str], set[tu
         else:
             relation, last = rest
             relations.add((named.get(first, first), named.get(relation, relation), named.get(last, last)))
-    places = {"wall", *PLACES.values()}
+    places = {"wall", "side", *PLACES.values()}
     for one, _, to in relations:
         for name in {one, to} - places - absent:
             counts[name] = counts[name] or 1

@@ -293,6 +293,7 @@ class Chunker(ClosedWords):
             or (
                 word == "stand"
                 and before == "and"
+                and self.lexicon.noun(run[-1:]) is not None  # "and a music stand beside it"
                 and self._begins_relation(i + 1)
                 and self._word(i + 2) in ("it", "them")
             )

@@ -11,7 +11,7 @@ from robolayout.words._acting import ACTING, is_somebody
 from robolayout.words._chunk import Chunk
 from robolayout.words._closed import UNREAD
 from robolayout.words._lexicon import grammar
-from robolayout.words._said import Parsed, named
+from robolayout.words._said import NamedThing, Parsed, named
 from robolayout.words._tokens import MARKS, count_of
 
 
@@ -63,6 +63,13 @@ def asides(chunks: Sequence[Chunk]) -> list[Chunk]:
         parts = (part for part, verb in pairwise(clause) if part.kind == "part" and verb.value in ("done", "doing"))
         found += [replace(part, kind="aside") for part in parts]  # "its walls wrapped in felt"
     return found
+
+
+def unasked(aside: Sequence[Chunk], said: Parsed) -> list[NamedThing]:
+    """Return what nobody knows and only clauses name that ask nothing of a room: "my brother hates the noise"."""
+    about = {thing for link in said.links for thing in named((*link.subjects, *link.objects))}
+    strange = [thing for thing in said.things if thing.noun.guessed and thing.definite and thing not in about]
+    return [one for one in strange if all(any(a.start <= at < a.end for a in aside) for at, _ in one.spans)]
 
 
 def _asks(clause: Sequence[Chunk]) -> bool:

@@ -14,7 +14,7 @@ from itertools import dropwhile, takewhile
 from robolayout.words import _function_words as small
 from robolayout.words._chunk import NOTHING, ROWS, SOME, Chunk
 from robolayout.words._holding import is_accessory
-from robolayout.words._leftover import asides, leftover
+from robolayout.words._leftover import asides, leftover, unasked
 from robolayout.words._relations import Relating
 from robolayout.words._said import Link, Mention, NamedThing, Parsed, Place, mentions, named, place_in, place_of
 from robolayout.words._tokens import count_of
@@ -42,6 +42,8 @@ class Parser(Relating):
             self.said.links += [*zone.links(self.said)]
         aside = asides(self.chunks)
         self.said.facts += aside
+        for thing in unasked(aside, self.said):
+            self.said.things.remove(thing)
         spoken = [other for other in self.said.missed if not any(a.start <= other.start < a.end for a in aside)]
         self.said.missed = leftover(self.chunks, replace(self.said, missed=spoken))
         return self.said

@@ -148,13 +148,14 @@ class Relating(Holding):
     def _each_has(self, holder: list[Mention], times: int) -> None:
         """Read what each of some things or people has, up to the end of the clause."""
         self.every = (holder, times)
-        first, had, closed = len(self.said.things), 0, False
+        first, had, closed, inner = len(self.said.things), 0, False, list[Mention]()
         while (chunk := self._ahead()).kind in ("thing", "and", "comma", "filler", "style", "with"):
             # "each has a desk with a lamp, and a chair"
-            inner = self.group[-1:] if chunk.kind == "with" and had else []
-            if chunk.kind == "with" and (not inner or self._ahead(1).kind != "thing"):
+            led, also = chunk.kind == "with", self._ahead(-1).kind == "and"  # "a chair, and has a lamp on it"
+            inner = self.group[-1:] if led and had else inner if chunk.kind != "comma" else []
+            if led and (not inner or self._ahead(1).kind != "thing"):
                 break
-            self.at += chunk.kind == "with"
+            self.at += led
             chunk = self._ahead()
             if chunk.kind == "comma" and first < len(self.said.things) and (closed or not self._list_goes_on(had)):
                 break
@@ -169,8 +170,12 @@ class Relating(Holding):
                     one = holder and holder[0].det != "each" and mention.thing.number is None  # "both have lamps"
                     mention.thing.times, mention.thing.number = times, 1 if one else mention.thing.number
                     self.group = [mention]
-                if (inner or holder) and mention.thing in self.said.things[first:]:
-                    self.said.links.append(Link("with", (mention,), tuple(inner or holder), chunk.start, chunk.end))
+                to = inner if led or (mention.topped and self._on_it_follows()) else []
+                if (to or holder) and mention.thing in self.said.things[first:]:
+                    self.said.links.append(Link("with", (mention,), tuple(to or holder), chunk.start, chunk.end))
+                if to and not also and [self._ahead().value, self._ahead(1).value] == ["on", "it"]:
+                    self._understood(self._ahead(), self._ahead(1))  # "each has a desk with a lamp on it"
+                    self.at += 2
 
     def _of_the_room(self, chunk: Chunk) -> bool:
         """Note what is asked of the room itself: an open middle, a way to something, room to turn, daylight at it."""

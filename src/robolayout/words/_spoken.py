@@ -239,7 +239,10 @@ class Spoken:
         if word in small.SEVERAL:
             held = [m for m in earlier if holder is None or many or m.thing is not holder.thing]
             return self._several_meant(relation, held if len(held) > 1 else earlier, to)
-        return self._kept(word, relation, own) or self._last(word, relation, earlier, to)
+        meant = self._kept(word, relation, own) or self._last(word, relation, earlier, to)
+        worked_at = relation == "on" and any(m.thing.head in small.WORKED_AT for m in self.about)
+        seat = worked_at and bool(meant) and meant[0].sat_on  # "a chair stands behind the desk; a laptop is on it"
+        return (self._last_of(small.TOPS, own) if seat else []) or meant
 
     def _at_a_place(self, chunk: Chunk, subjects: list[Mention], place: Place) -> list[Mention]:
         """Return which of some things are at a place of the room: no tables with seats around them, and both that share a wall."""
