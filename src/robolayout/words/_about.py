@@ -237,15 +237,10 @@ class About(References):
         """Return what a relation right after a noun is about: small things "on" something all together, else the noun."""
         if holder := self._holder_meant(relation):
             return holder
-        if (
-            self.relative
-            and self.target is not None
-            and self.said.last.start >= self.began
-            and self._relative_to(self.target)
-        ):
-            return (
-                [self.target] if not self.target.flat else [*self.said.last.subjects]
-            )  # "a TV that stands on a cabinet by the wall"
+        relative = self.relative and self.said.last.start >= self.began
+        if relative and self.target is not None and self._relative_to(self.target):
+            # "a TV that stands on a cabinet by the wall"
+            return [self.target] if not self.target.flat else [*self.said.last.subjects]
         following = self._ahead().value
         others = [m for m in self.group if self._ahead().det != "the" or not m.thing.same(self._ahead())]
         self.group = others if others[1:] else self.group  # "a bed, a desk and a chair opposite the bed"
@@ -265,12 +260,8 @@ class About(References):
         lined = seated and relation in ("rows", "columns") and self.group[-2].several  # "desks and chairs in rows"
         laid = self._laid(relation, last)
         several = len(self.group) > 1
-        of_holder = self._had_so(relation) if several else None
-        shared = (
-            of_holder
-            if of_holder is not None
-            else several and self._shared(relation) and (relation == "on" or not laid)
-        )
+        had_so, free = self._had_so(relation) if several else None, relation == "on" or not laid
+        shared = several and self._shared(relation) and free if had_so is None else had_so
         if several and (lined or does or shared):
             own = seated and (lined or (self._ahead().kind == "part" and following != "side"))
             return self.group[-2 if lined else 0 : len(self.group) - own]  # "a table and four chairs by the window"

@@ -11,7 +11,7 @@ from robolayout.words._lexicon import grammar
 from robolayout.words._said import Link, Mention, NamedThing, named
 
 
-class Naming(Counting):
+class NamingThings(Counting):
     """Finds what noun phrases name."""
 
     def _mention(self, chunk: Chunk, *, target: bool = False) -> Mention:

@@ -8,12 +8,12 @@ from itertools import pairwise
 
 from robolayout.words import _function_words as small
 from robolayout.words._chunk import ROWS, Chunk
-from robolayout.words._naming import Naming
+from robolayout.words._naming import NamingThings
 from robolayout.words._said import Item, Link, Mention, NamedThing, Place, mentions, named, place_in, places
 from robolayout.words._tokens import about as about_so_far
 
 
-class References(Naming):
+class References(NamingThings):
     """Finds what relations lead back to, and notes them."""
 
     def _at_middle(self, chunk: Chunk, subjects: Sequence[Mention], objects: Sequence[Item]) -> Sequence[Item]:
@@ -90,15 +90,8 @@ class References(Naming):
             floor = [m for m in self.recent if m.thing not in own and m.thing.category.on_floor]
             objects = list[Item](m for m in floor if not (laid and m.sat_on))[-1:]  # behind the counter, not its stools
             return (self.holder if objects else []), objects
-        middle = chunk.value == "middle" and not objects
-        if middle and held and self.holder[0].topped:  # "plates on the table, with a candle in the middle"
-            on = [list(k.objects) for k in self.said.links if k.relation == "on" and self.holder[0] in k.subjects]
-            return subjects, on[-1] if on else objects
-        led = [before.kind for before, c in pairwise(self.chunks[: self.at]) if c.kind == "with"][-1:]
-        one = led == ["comma"] or not any(m.several for m in subjects)  # a table with four magazines is there itself
-        on = self.holder if held and one else self.every[0] if self.every else []
-        if middle and on and self.group[-1:] and self.group[-1].topped:
-            return subjects, list(on)  # "a table by the wall, with a bowl in the middle"
+        if chunk.value == "middle" and not objects and (of := self._middle_of(subjects, having=bool(held))) is not None:
+            return subjects, of
         place = isinstance(objects[0], Place) if objects else chunk.value == "middle"
         laid = _of_what_bears(chunk.value, objects) and held and self.group[-1].topped and not self.holder[0].topped
         laid = laid and (chunk.value != "above" or len(objects) > 1)  # "a shelf with bottles above them"
@@ -133,15 +126,20 @@ class References(Naming):
         swapped = swapped and not (central and place_in(objects[:1], "wall", "corner", "window", "door"))
         low = chunk.value == "middle" and held and self.holder[0].sat_on and self.group[-1].thing.head in small.TOPS
         swapped = swapped and not low  # "chairs along the walls, with a table in the middle"
-        swapped = swapped and chunk.adjectives[:1] not in (
-            ("fixed",),
-            ("mounted",),
-            ("attached",),
-            ("screwed",),
-            ("bolted",),
-        )
+        swapped = swapped and small.FASTENED.isdisjoint(chunk.adjectives[:1])
         built = [m for m in self.group if m.thing.category.built_in and place_in(objects[:1], "wall")]
         return ([*self.holder, *built] if swapped else subjects), objects
+
+    def _middle_of(self, subjects: Sequence[Mention], *, having: bool) -> list[Item] | None:
+        """Return of what something is in the middle, where that is not said; None where it is of no thing."""
+        if having and self.holder[0].topped:  # "plates on the table, with a candle in the middle"
+            on = [list(k.objects) for k in self.said.links if k.relation == "on" and self.holder[0] in k.subjects]
+            return on[-1] if on else []
+        led = [before.kind for before, c in pairwise(self.chunks[: self.at]) if c.kind == "with"][-1:]
+        one = led == ["comma"] or not any(m.several for m in subjects)  # a table with four magazines is there itself
+        of = self.holder if having and one else self.every[0] if self.every else []
+        # "a table by the wall, with a bowl in the middle"
+        return list(of) if of and self.group[-1:] and self.group[-1].topped else None
 
     def _holders(self, subjects: list[Mention], *, every: bool) -> list[Mention]:
         """Return what of some things holds others: of "a bed and two stands, each" the last, and rather a top than a seat beside it."""
