@@ -31,10 +31,9 @@ def wished_things(wishes: RoomWishes) -> dict[str, int]:
     heads |= {"laptop"} if heads & {"monitor", "computer"} else set()
     heads |= {"seat"} if heads & (LOUNGE | {"chair"}) else set()
     links = wishes.reading.parsed.links
-    bare = {
-        one.head for link in links if link.relation == "bare" for one in named(link.objects)
-    }  # "nothing on the desk"
-    heads |= {name for name in room.person if "desk" in bare and wishes.kinds[name].places == ("object",)}
+    bare = {one.head for link in links if link.relation == "bare" for one in named(link.objects)}
+    # "nothing on the desk"
+    heads |= {head(name) for name in room.person if "desk" in bare and wishes.kinds[name].places == ("object",)}
     formed = (link for link in links if link.relation == "rows" or link.relation in SHAPES)
     rows = {head(one.noun.kind) for one in {m.thing for link in formed for m in link.subjects} | wishes.audience}
     if (rows & {"chair", "seat", "pew"} or "seat" in map(head, wished)) and "desk" not in heads:

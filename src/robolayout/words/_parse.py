@@ -352,10 +352,8 @@ class Parser(Relating):
         other = self._ahead().kind == "rel" and self.fronted[0].value != "on"
         ordered = self._ahead(-2).kind == "and" and mention.count == 1 and self._ahead().value in small.ORDERS
         other = (other and not ordered) or self._placed(mention)  # not "a fridge and a stove in a row"
-        closes = self._ahead().value in small.FINITE - small.ALONE_DOES and self._ahead(-2).kind == "and"
-        closes = (
-            closes and self.fronted[0].value == "on" and mention.can_be_on_a_top
-        )  # "on which a cup and a jar stand"
+        laid = self.fronted[0].value == "on" and mention.can_be_on_a_top  # "on which a cup and a jar stand"
+        closes = laid and self._ahead().value in small.FINITE - small.ALONE_DOES and self._ahead(-2).kind == "and"
         ends = self._ahead().value in small.FINITE and not closes
         if self.acted and (other or ends or (not closes and self._alone(mention, joined=True))):
             self.fronted = None
@@ -405,13 +403,9 @@ class Parser(Relating):
 
     def _also_each(self, chunk: Chunk) -> bool:
         """Read what else each has, after what stands at it: "each table has a board on it and two chairs"."""
-        listed = [c.kind for c in self.chunks[self.at - 3 : self.at - 1]] == [
-            "pron",
-            "comma",
-        ] and chunk.noun is not None
-        listed = (
-            listed and chunk.noun is not None and chunk.noun.category.on_object
-        )  # "a chair behind it, a lamp and a mug"
+        after_it = [c.kind for c in self.chunks[self.at - 3 : self.at - 1]] == ["pron", "comma"]
+        small_one = chunk.noun is not None and chunk.noun.category.on_object
+        listed = after_it and small_one  # "a chair behind it, a lamp and a mug"
         joined = (self._ahead(-2).kind == "and" or listed) and chunk.det != "the"
         own = joined and self.acted and (self._ahead().kind != "rel" or self._ahead(1).kind in small.ALONE_AFTER)
         if not (own and self.every and all(mention.thing.times == self.every[1] > 1 for mention in self.acted)):
