@@ -63,8 +63,9 @@ class Reading:
     unread: int = 0  # how many further characters there were
 
     def span(self, start: int, end: int) -> str:
-        """Return the words of the text from one token to another, as they stand there."""
-        return self.text[self.words[start].start : self.words[end - 1].end] if end > start else ""
+        """Return the words of the text from one token to another, as they stand there, without a mark before them."""
+        found = self.text[self.words[start].start : self.words[end - 1].end] if end > start else ""
+        return found.lstrip(",; ") or found
 
     @property
     def room(self) -> str | None:
