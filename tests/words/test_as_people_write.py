@@ -53,6 +53,20 @@ def test_what_somebody_tells_is_no_thing_and_no_demand(text: str) -> None:
     assert len([row for row in told if row[0] == "count"]) == 1
 
 
+@pytest.mark.parametrize(
+    ("text", "refused"),
+    [
+        ("A study. Absolutely no piano.", "piano"),
+        ("A study. Under no circumstances a piano.", "piano"),
+        ("A study. Definitely not a piano.", "piano"),
+        ("A study. Please a piano.", None),
+        ("A study. Certainly a piano.", None),
+    ],
+)
+def test_what_is_only_stressed_is_not_refused(text: str, refused: str | None) -> None:
+    assert [words for kind, words, _ in rows(text) if kind == "refusal"] == ([refused] if refused else [])
+
+
 def test_furniture_told_along_one_wall_is_made_narrower_to_fit_there() -> None:
     scene, _ = scene_from_sentence(
         "A bedroom of 3 by 3 m. Along the north wall stand a wardrobe, a desk and a dresser."
