@@ -194,9 +194,17 @@ def _low_enough(assets: Sequence[Asset], onto: Mapping[str, str], wishes: RoomWi
             free[asset.category] = max(free.get(asset.category, 0.0), shelf.free)
     for asset in assets:
         by = LOW_ENOUGH * free.get(onto.get(asset.category, ""), math.inf) / asset.size[2]
-        told = asset.path is not None or any(thing.sizes for thing in wishes.told(asset.category))
-        d, w, h = (round(side * by, 3) for side in asset.size) if LEAST_SHARE < by < 1.0 and not told else asset.size
+        d, w, h = (
+            (round(side * by, 3) for side in asset.size)
+            if LEAST_SHARE < by < 1.0 and not _is_sized(asset, wishes)
+            else asset.size
+        )
         yield replace(asset, size=(d, w, h))
+
+
+def _is_sized(asset: Asset, wishes: RoomWishes) -> bool:
+    """Return whether the size of a thing is told, or that of a mesh of the user's own."""
+    return asset.path is not None or any(thing.sizes for thing in wishes.told(asset.category))
 
 
 def _narrow_enough(assets: Sequence[Asset], wishes: RoomWishes, room: Room) -> Iterator[Asset]:
@@ -214,8 +222,7 @@ def _narrow_enough(assets: Sequence[Asset], wishes: RoomWishes, room: Room) -> I
         share = (long - BESIDE * (len(widths) + 1)) / max(sum(widths), 0.01)
         shares |= {kind: min(share, shares.get(kind, 1.0)) for kind in kinds if LEAST_SHARE < share < 1.0}
     for asset in assets:
-        told = asset.path is not None or any(thing.sizes for thing in wishes.told(asset.category))
-        by = 1.0 if told else shares.get(asset.category, 1.0)
+        by = 1.0 if _is_sized(asset, wishes) else shares.get(asset.category, 1.0)
         yield replace(asset, size=(asset.size[0], round(asset.size[1] * by, 3), asset.size[2]))
 
 
@@ -239,8 +246,7 @@ def _with_room_below(assets: Sequence[Asset], wishes: RoomWishes) -> Iterator[As
     first = {asset.category: asset for asset in reversed(opened.values())}
     for asset in opened.values():
         upper = first.get(above.get(asset.category, ""))
-        told = asset.path is not None or any(thing.sizes for thing in wishes.told(asset.category))
-        yield asset if told or upper is None else low_enough(asset, upper)
+        yield asset if upper is None or _is_sized(asset, wishes) else low_enough(asset, upper)
 
 
 def _assumed(
