@@ -5,12 +5,13 @@ import math
 import numpy as np
 import pytest
 
+from robolayout import generate
 from robolayout._errors import InputError, LayoutError, UnknownNameError
 from robolayout.assets import Material, Part
 from robolayout.render import Studio, _gl, render_asset, render_view
 from robolayout.render._mesh import parts_mesh
 from robolayout.render.camera import fitted_camera, room_points
-from robolayout.render.view import hidden_parts, make_renderer, near_walls
+from robolayout.render.view import GHOST, hidden_parts, make_renderer, near_walls
 from robolayout.scene import Asset, Layout, Pose, Room, Scene
 
 needs_egl = pytest.mark.skipif(_gl.why_unavailable() is not None, reason="no EGL on this machine")
@@ -126,6 +127,19 @@ def test_what_hangs_on_a_cut_wall_goes_with_it(bedroom, layout):
     front = fitted_camera(room_points(bedroom.room), math.radians(45), math.radians(-30), (64, 64))
     assert "picture-0" not in hidden_parts(bedroom, layout, front)
     assert {"wall-0", "door-0"} <= hidden_parts(bedroom, layout, front)
+
+
+def test_what_stands_before_a_cut_wall_stays_and_flush_lamps_are_ghosts():
+    """A television on its stand was left out with the wall, and ceiling lamps were discs in the air."""
+    result = generate("A living room with a television on a tv stand and a ceiling lamp", dress="none")
+    scene, layout = result.scene, result.layout
+    for azimuth in range(0, 360, 45):
+        camera = fitted_camera(room_points(scene.room), math.radians(45), math.radians(azimuth), (64, 64))
+        assert "television-0" not in hidden_parts(scene, layout, camera)
+    shown = Studio(scene, layout).shown(camera)
+    drawn = {shown.names[group] for group in np.unique(shown.groups)}
+    assert "ceiling_lamp-0" not in drawn
+    assert f"{GHOST}ceiling_lamp-0" in drawn
 
 
 def test_the_side_view_looks_at_fronts(bedroom, layout):

@@ -122,3 +122,37 @@ def test_robots_by_the_names_of_their_makers(text: str, agent: str) -> None:
     scene, understood = scene_from_sentence(text)
     assert understood.agent == agent
     assert not [row for row in read_words(scene).rows if row.kind == "not understood"]
+
+
+@pytest.mark.parametrize(
+    ("text", "counts"),
+    [
+        ("A salon with four vanity tables in a row, each a chair in front of a mirror.", {"chair": 4, "mirror": 4}),
+        ("A study. A lamp, a monitor and a printer stand on the desk.", {"printer": 1, "desk": 1}),
+        ("A bedroom. A bed and a night stand are in the corner.", {"night stand": 1}),
+        ("A music room. A piano and a music stand are by the window.", {"music stand": 1}),
+    ],
+)
+def test_what_is_counted_without_a_verb(text: str, counts: dict[str, int]) -> None:
+    """Two chairs and one mirror were at the four tables, and a "printer stand" on the desk."""
+    _, said = scene_from_sentence(text)
+    assert {kind: said.wished.get(kind, 0) for kind in counts} == counts
+
+
+def test_what_stands_opposite_another_is_not_on_what_was_said_before() -> None:
+    """ "A desk with a chair, TV opposite the bed": the television stood on the desk."""
+    told = rows("A hotel room with a bed, a desk with a chair, TV opposite the bed, a minibar and two armchairs.")
+    assert [words for kind, words, _ in told if kind == "relation" and "tv" in words.lower()] == ["tv opposite bed"]
+
+
+def test_small_things_stand_on_a_top_in_the_order_that_is_told() -> None:
+    result = generate("A study. On the desk, from left to right: a lamp, a monitor and a vase.", dress="none")
+    assert [row.verdict for row in result.report.asked if "left to right" in row.words] == ["met"]
+    desk = result.layout["desk-0"]
+    across = [desk.seen(result.layout[name].at)[1] for name in ("table_lamp-0", "monitor-0", "vase-0")]
+    assert across in (sorted(across), sorted(across, reverse=True))
+
+
+def test_as_you_enter_your_left_is_a_half_of_the_room() -> None:
+    told = rows("A room. As you enter, a wardrobe is on your left and a fridge is on your right.")
+    assert [meaning.split("(")[0] for kind, _, meaning in told if kind == "relation"] == ["zone", "zone"]

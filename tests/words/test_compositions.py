@@ -130,6 +130,19 @@ FORMS = [
     ),
     ("{A} is {p}, with {M} in front of it and a music stand beside it.", "a at p, m front a, music_stand next a"),
     ("{A} stands on a rug {p}, with {M} next to it.", "a on rug, m next a"),
+    ("{A} {stands} {p}, and {r} it stands {M} {q}.", "a at p, m r a, m at q"),
+    ("The {t} holds {S}, {U} and nothing else. {A} is {p}.", "s on t, u on t, a at p"),
+    ("{S}, {U} and a jar stand on the {t}. {A} is {p}.", "s on t, u on t, jar on t, a at p"),
+    ("{p} there is {A}, followed by {M} and {N}.", "a at p, m next a, n next m"),
+    ("The {a} {p} has {M} {r} it and {N} in front of it.", "a at p, m r a, n front a"),
+    ("The {t} is {p}. There are three things on it: {S}, {U} and a jar.", "t at p, s on t, u on t, jar on t"),
+    ("The {a} should be near the {b} but not touching it. {M} is {p}.", "a near b, m at p"),
+    ("Against the north wall, from left to right: {A}, {M} and {B}.", "a at wall, m at wall, b at wall"),
+    ("{A} and {B} face each other, with {M} in between; {N} is {p}.", "m amid a, m amid b, n at p"),
+    ("{A} is sandwiched between {M} and {N}.", "a amid m, a amid n"),
+    ("Place {A} {p}. Next, put {M} {r} it. Finally, add {N} {q}.", "a at p, m r a, n at q"),
+    ("Instead of {E}, there is {A} {p}.", "a at p, no e"),
+    ("{A} goes {p}; the {m} and the {n} go {q}.", "a at p, m at q, n at q"),
 ]
 
 

@@ -208,7 +208,7 @@ def test_what_each_has_is_counted(said: str, counts: dict[str, int]) -> None:
             "A bookstore. A reading corner with an armchair and a lamp is in the back left corner.",
             "corner(armchair-0, 1)",
         ),
-        ("A garage. Along the left wall shelves for tires.", "against_wall(shelving_unit-0, walls[3])"),
+        ("A workshop. Along the left wall shelves for tires.", "against_wall(shelving_unit-0, walls[3])"),
         (
             "A reading room. Two armchairs sit by the fireplace on the right wall.",
             "against_wall(fireplace-0, walls[1])",
@@ -279,7 +279,7 @@ def test_what_each_has_is_counted(said: str, counts: dict[str, int]) -> None:
         ("A living room. The guest sits in an armchair near the window.", "near(armchair-0"),
         ("A bedroom with a bed and a nightstand at its head.", "near(night_stand-0, bed-0"),
         ("A cat cafe: cat trees stand in three corners, shelves for climbing are on the wall.", "mounted_on(wall_shelf-0)"),
-        ("A garage. Along the left wall are two racks, bikes hang on the right wall.", "against_wall(bicycle-0, walls[1])"),
+        ("A workshop. Along the left wall are two racks, bikes hang on the right wall.", "against_wall(bicycle-0, walls[1])"),
         ("A playroom with a table with two chairs in the center of a round rug.", "under(round_rug-0, [kids_table-0])"),
         ("A dining room with a bench along the window side of the table.", "in_front_of(bench-0, dining_table-0"),
         ("A living room with a sofa. A TV stand faces the sofa from the opposite wall.", "in_front_of(tv_stand-0, sofa-0"),

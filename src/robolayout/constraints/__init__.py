@@ -26,6 +26,9 @@ from robolayout.constraints._relation import Relation as Relation
 from robolayout.constraints._relation import Term as Term
 from robolayout.constraints._relation import Way as Way
 from robolayout.constraints._relation import argument as argument
+from robolayout.constraints._standing import covers as covers
+from robolayout.constraints._standing import hangs as hangs
+from robolayout.constraints._standing import supporter as supporter
 
 _BUILT_IN = """
 against_wall distance_constraint on_top_of inside align_with point_towards symmetric_pair next_to near in_front_of

@@ -17,9 +17,9 @@ import numpy as np
 from robolayout.assets import Joint, Material, Part, category_of, prisms_of, room_parts, turned
 from robolayout.assets.mass import part_masses
 from robolayout.assets.shapes import prism
+from robolayout.constraints import covers
 from robolayout.export._exporter import (
     Options,
-    covers,
     free_name,
     is_movable,
     kind_name,

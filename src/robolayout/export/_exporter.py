@@ -16,8 +16,8 @@ from robolayout._reading import LIMITS, Unreadable
 from robolayout._reading.syntax import ASTRAY
 from robolayout._text import pretty, utf8
 from robolayout.assets import Part, category_of
-from robolayout.constraints import TOLERANCE
-from robolayout.scene import Agent, Asset, Layout, Point, Pose, Scene, vertical_span
+from robolayout.constraints import hangs
+from robolayout.scene import Agent, Asset, Layout, Point, Pose, Scene
 
 Routes = Mapping[str, Sequence[Point]]
 """The polyline in metres that the agent's centre follows to each asset, by asset name."""
@@ -87,14 +87,6 @@ def placed(scene: Scene, layout: Layout) -> tuple[tuple[Asset, Pose], ...]:
     return tuple((asset, layout[asset.name]) for asset in scene.assets if asset.name in layout)
 
 
-def hangs(asset: Asset, scene: Scene, layout: Layout) -> bool:
-    """Return whether an asset is fixed to a wall or the ceiling: it may be, and stands on nothing where it is."""
-    if not (asset.on_wall or asset.on_ceiling):
-        return False
-    bottom, _ = vertical_span(asset, layout[asset.name])
-    return bottom > TOLERANCE.support and supporter(asset, scene, layout) is None
-
-
 def is_movable(asset: Asset, scene: Scene, layout: Layout) -> bool:
     """Return whether an asset may be pushed around: of a movable category, not fixed to the room, and no rug."""
     return category_of(asset).movable and not asset.is_flat and not hangs(asset, scene, layout)
@@ -136,28 +128,6 @@ def kind_name(name: str, pieces: Sequence[Part], *facts: object) -> str:
             whole.update(b"" if array is None else np.ascontiguousarray(array).tobytes())
     stem = re.sub(r"[^a-z0-9]+", "_", name.lower()).strip("_") or "thing"
     return f"{stem[:60]}-{whole.hexdigest()[:12]}"
-
-
-def supporter(asset: Asset, scene: Scene, layout: Layout) -> str | None:
-    """Return the name of the asset that another one rests on, or None.
-
-    Its bottom is as high as the other's top, and its centre over the other's footprint (DESIGN section 4); of several, it
-    is the one whose top is nearest.
-    """
-    pose = layout[asset.name]
-    bottom, _ = vertical_span(asset, pose)
-    found: list[tuple[float, str]] = []
-    for other, place in placed(scene, layout):
-        gap = abs(bottom - vertical_span(other, place)[1])
-        if other.name != asset.name and gap <= TOLERANCE.support and covers(place, other, pose):
-            found.append((gap, other.name))
-    return min(found)[1] if found and asset.on_object else None
-
-
-def covers(place: Pose, other: Asset, pose: Pose) -> bool:
-    """Return whether the centre of `pose` is over the footprint of `other` at `place`."""
-    ahead, left = place.seen(pose.at)
-    return abs(ahead) <= other.size[0] / 2 and abs(left) <= other.size[1] / 2
 
 
 def data_file(name: str) -> str:

@@ -13,7 +13,8 @@ from typing import Any
 
 import numpy as np
 
-from robolayout.export._exporter import Options, hangs
+from robolayout.constraints import hangs
+from robolayout.export._exporter import Options
 from robolayout.export._mujoco import FloatArray, base, controls, load, simulator, smaller, touched
 from robolayout.export.mjcf import build
 from robolayout.scene import Agent, Asset, Layout, Scene, check_layout

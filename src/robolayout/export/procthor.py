@@ -22,6 +22,7 @@ from typing import Any, cast
 from robolayout._errors import LayoutError
 from robolayout._reading.syntax import decoded, json_value
 from robolayout.assets import parts
+from robolayout.constraints import supporter
 from robolayout.export._exporter import (
     Exporter,
     Json,
@@ -32,7 +33,6 @@ from robolayout.export._exporter import (
     is_movable,
     placed,
     reader,
-    supporter,
 )
 from robolayout.export._scenery import lamp
 from robolayout.export.mjcf import start

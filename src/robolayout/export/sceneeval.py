@@ -17,6 +17,7 @@ from typing import Any, cast
 from robolayout._errors import LayoutError
 from robolayout._reading.syntax import decoded, json_value
 from robolayout.assets import Part
+from robolayout.constraints import hangs, supporter
 from robolayout.export._exporter import (
     Bundle,
     Exporter,
@@ -26,12 +27,10 @@ from robolayout.export._exporter import (
     data_file,
     dump_json,
     facts,
-    hangs,
     is_movable,
     kind_name,
     placed,
     reader,
-    supporter,
 )
 from robolayout.export._rugs import laid_parts
 from robolayout.export.glb import asset_glb

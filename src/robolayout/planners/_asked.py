@@ -129,8 +129,7 @@ def join_as_asked(cast: Mapping[str, Cast], demands: Sequence[Demand], passage: 
         leads = anchor not in placed - central and any(one.anchor == name for one in found.values())
         metres = [one for one in said(about) if isinstance(one, DistanceConstraint)]
         near = any(one.max_distance is not None and not (leads and isinstance(one.b, PointRef)) for one in metres)
-        stays = stays or (len(metres) == len(said(about)) and not near)
-        stays = stays or {name, anchor} <= central  # "a table and four chairs in the middle"
+        stays |= (len(metres) == len(said(about)) and not near) or {name, anchor} <= central  # a table and its chairs
         if not stays or any(relation.name == "mounted_on" for relation in said(about)):
             found[name] = found[name].alone
     wanted |= dict(_only_benches(cast, wanted))
@@ -152,10 +151,21 @@ def join_as_asked(cast: Mapping[str, Cast], demands: Sequence[Demand], passage: 
     for name in [name for name in found if name not in wanted]:
         if (found[name].anchor, found[name].join.slot) in laid and found[name].role.name.endswith("seat"):
             found[name] = elsewhere(name, found, {anchor for anchor, _ in laid})  # that table has its own seats
-    found |= {name: found[name].alone for name in (*ringed(found, demands), *crowd)}
+    apart = (*ringed(found, demands), *crowd, *_past_an_end(found, chains, wanted))
+    found |= {name: found[name].alone for name in apart}
     found |= dict(_off_piles(found, wanted, demands))
     found |= {name: one for name, one in _at_their_places(found, demands) if name not in wanted}
     return found | dict(_off_the_wall(found, demands))
+
+
+def _past_an_end(
+    cast: Mapping[str, Cast], chains: Mapping[str, tuple[str, Join]], wanted: Collection[str]
+) -> Iterator[str]:
+    """Yield what usually stands beside one of three that stand in line: a worktop beyond the fridge, for which no wall is long enough."""
+    lined = {one for name, (to, join) in chains.items() if join.slot == "beside" for one in (name, to)}
+    for one in (one for one in cast.values() if one.name not in wanted):
+        if one.anchor in lined and one.join.slot == "beside" and one.join.loose:
+            yield one.name
 
 
 def _only_benches(

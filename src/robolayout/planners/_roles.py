@@ -18,6 +18,9 @@ TOP_HEIGHT = 1.45  # metres above which nothing is put on a top: out of sight an
 BEYOND = 0.03  # metres beyond its own edge that an arm must get to a thing on a top
 TOP_SHARE = 0.55  # share of a top that may be covered
 FILLED = 0.4  # metres of height from which on a top may be filled by a single thing, as that of a printer stand
+STANDS = (
+    0.9  # metres of height from which on what may stand on the floor is put on no top: an aquarium with its cabinet
+)
 NARROWEST = 0.6  # metres that people need to get to a side of a thing
 
 
@@ -183,6 +186,8 @@ def _room_for(asset: Asset, other: Cast, join: Join, cast: Mapping[str, Cast]) -
         return not other.asset.is_flat
     (depth, width, height), there = other.asset.size, _borne(other.name, cast)
     covered, free = sum(map(_footprint, there)), stands_free(asset.size, other.asset.size, [one.size for one in there])
+    if asset.on_floor and asset.size[2] > STANDS:
+        return False
     fits = max(asset.size[:2]) <= max(depth, width) + 0.02 and min(asset.size[:2]) <= min(depth, width) + 0.02
     alone = covered == 0.0 and height >= FILLED
     shared = alone or covered + _footprint(asset) <= TOP_SHARE * depth * width

@@ -25,6 +25,7 @@ from robolayout.words import (
     place_in,
     places,
     rows_of,
+    usual_rows,
 )
 
 
@@ -109,7 +110,9 @@ def _blocks(wishes: RoomWishes) -> Iterator[tuple[float, float]]:
     told = {thing for link in links if link.relation == "rows" for thing in named(link.subjects)}
     for link in links:
         line = [mention for mention in link.subjects if mention.thing.category.on_floor]
-        flanked = [m for m in mentions(link.objects) if link.relation == "amid" and m.count == 2 and m.opens]
+        ends = mentions(link.objects) if link.relation == "amid" else []
+        ends = ends * (sum(m.count for m in ends) == 2)
+        flanked = [m for m in ends if (m.count == 2 and m.opens) or m.thing.category.built_in]
         line = flanked if line and flanked else line  # "a bench between two cabinets"
         at = place_in(link.objects, "wall") if link.relation == "wall" else None
         if line and (link.relation in ("row", "abreast") or flanked or (at is not None and at.at_one_wall)):
@@ -236,6 +239,8 @@ def _in_rows(
         kind, rows = wishes.kind(thing), thing.rows if spaced else link.rows
         depth, width, height = wishes.kinds[kind].size
         rows = rows_of(thing.count) if looking else rows
+        facing = not rows and lines and any(k.relation == "facing" and thing in named(k.subjects) for k in links)
+        rows = usual_rows(thing.count) if facing else rows
         rows = math.ceil(thing.count / rows) if link.relation == "columns" and rows else rows
         rows, gap = (rows, 0.0) if rows > 0 else (math.ceil(math.sqrt(thing.count)), link.metres[0])
         each = math.ceil(thing.count / rows)
@@ -253,7 +258,7 @@ def _in_rows(
         hung |= bool(walled)
         ends = SIZES.seated if thing.head == "bed" else 0.0  # a door beside their heads
         yield each * (width + gap) + 2 * SIZES.around + ends + MIDDLE_AISLE * (link.sided == "aisle"), ahead
-        yield ahead * hung, ahead  # what they watch may be at any wall
+        yield ahead * hung * bool(link.rows or looking), ahead  # what they watch may be at any wall
 
 
 def _beside_a_bed(wishes: RoomWishes, bed: NamedThing) -> float:

@@ -56,16 +56,17 @@ class Writer:
         self.scene, self.cast = scene, cast
         self.asked = asked.subjects(words)  # of these roles only wish where they stand
         self.ringed, self.audience = asked.ringed(cast, words), asked.audience(cast, words)
-        self.rowed, self.watching = asked.rowed(words), asked.watching(cast, words)
-        self.groups = asked.in_blocks(words)
+        self.rowed, self.groups = asked.rowed(words), asked.in_blocks(words)
         # before their corner, the wall for all of a row or the floor of a ring is taken
         self.first = asked.needing_room(cast, words) | self.ringed.keys()
         self.walled, self.formed = asked.held_by_walls(words), asked.formed(words)
-        self.cornered = {one.asset_names()[0] for one in asked.said(words) if one.name == "corner"}
-        self.looked, self.beside = asked.looked_at(words), asked.open_beside(words)
+        places = [(one.name, one.asset_names()[0]) for one in asked.said(words)]
+        self.cornered, self.leaned = ({n for how, n in places if how == at} for at in ("corner", "against_wall"))
+        self.looked, self.watching = asked.looked_at(words), asked.watching(cast, words)
         self.below = asked.hung_over(scene, words)  # nothing else hangs there
-        self.over = {high for high, _ in asked.hung(words)}  # they hang nowhere else
-        self.middle, self.lain = asked.in_the_middle(words), asked.lain_at(words)
+        self.hung = asked.hung(words)
+        self.over = {high for high, _ in self.hung}  # they hang nowhere else
+        self.middle, self.lain, self.beside = asked.in_the_middle(words), asked.lain_at(words), asked.open_beside(words)
         self.shallow = asked.too_shallow(scene, words)
 
     def order(self) -> list[str]:
@@ -269,6 +270,8 @@ class Writer:
             yield _wish(f"mounted_on({a}, None, {high:g})")
         if mode == "hang" and over and item.name not in self.over:
             yield _wish(_either([f"above({a}, {self._name(n)})" for n in over]))
+        alone = [low for high, low in self.hung if high == item.name and [one for _, one in self.hung].count(low) == 1]
+        yield from (_wish(f'centered_on({a}, {self._name(low)}, "side")') for low in alone if mode == "hang")
         if mode == "ceiling" and owner is None:
             yield _wish(f"centered_on({a}, room)")
 
@@ -312,6 +315,8 @@ class Writer:
             prefer["corner"] = prefer.get("corner", 0.0) + SAYING.first
         if item.name in self.middle:
             prefer["middle"] = SAYING.middle
+        if item.name in self.leaned and item.role.name.endswith("seat") and len(self._equal(item)) > 1:
+            prefer.pop("corner", None)  # where two walls meet, the knees of one seat are before the next
         if len(self._equal(item)) > 1 and any(key.startswith("straight") for key in prefer):
             prefer.pop("centre", None)  # two beds share their wall
         longest = max(room.walls, key=lambda w: (round(w.length, 3), -w.index))
@@ -319,6 +324,7 @@ class Writer:
             "a": self._name(item.name),
             "at_wall": "mounted_on" if _modes(item)[0] == "hang" else "against_wall",
             "longest": f"walls[{longest.index}]",
+            "door": self._door,
         }
         for index in self.shallow if item.role.name == "board" else ():
             yield _wish(f"mounted_on({values['a']}, walls[{index}])", SAYING.shallow)
@@ -332,13 +338,21 @@ class Writer:
                 meant = {"others": self._list(others), "other": "".join(map(self._name, others[:1]))}
                 yield from self._fill(wished, values | meant, -weight if away else weight)
 
+    @cached_property
+    def _door(self) -> str:
+        """The first door, as a program says where it is."""
+        at = [self.scene.room.walls[door.wall].point(door.center) for door in self.scene.room.doors[:1]]
+        return "".join(f"AssetInstance(position=[{x:g}, {y:g}, 0.0])" for x, y in at)
+
     def _cleared(self, item: Cast) -> Iterator[str]:
         """Yield the sides that a thing wants clear, where its kind does not say it.
 
         A seat beside a thing is not pushed back, nor one that stands at a wall by itself: that has room for knees before it.
         """
-        aside, free = item.join.slot == "beside", not item.anchor and item.name not in self.asked
-        at_a_wall = free and item.role.stands[:1] == ("wall",)
+        aside, seat = item.join.slot == "beside", item.role.name.endswith("seat") and not item.anchor
+        at_a_wall = seat and (
+            item.name in self.leaned or (item.name not in self.asked and item.role.stands[0] == "wall")
+        )
         in_a_block = len(self._equal(item)) >= item.role.prefer.get("block", math.inf)
         for side, depth in item.role.clear.items() if item.asset.on_floor else ():
             if side == "back" and aside:

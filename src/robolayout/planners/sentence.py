@@ -50,6 +50,12 @@ NARROWED = ("bench", "cabinet", "counter", "desk", "dresser", "rack", "shelf", "
 """Last words of what may be."""
 
 
+LEVEL = ("counter", "stove")
+"""Roles of what has its top at the height of the worktops beside it."""
+GATE = 0.6
+"""Metres by which a door is wider than what is driven in."""
+
+
 @dataclass(frozen=True)
 class Understanding:
     """What was read from a sentence."""
@@ -283,7 +289,8 @@ def _scene(
     if rng.random() < 0.5:
         outline = [(width - x, y) for x, y in reversed(outline)]
     wide = 3.0 if found.agent == "forklift" else 0.95 if width * depth < 30 else 1.1
-    wide = max([wide, *(0.1 + (body.width or 2 * body.radius) for body in bodies)])
+    driven = (kind.size[1] + GATE for name in found.wished if (kind := wishes.kinds[name]).role == "vehicle")
+    wide = max([wide, *(0.1 + (body.width or 2 * body.radius) for body in bodies), *driven])
     tall = round(max([2.05, *(0.1 + body.height for body in bodies)]), 2)
     room = with_openings(Room(tuple(outline), found.height), wishes, (wide, tall), rng, varied=varied)
     style = wishes.reading.style or str(rng.choice([palette.wood.name for palette in PALETTES]))
@@ -315,7 +322,9 @@ def _assets(
         for index in range(count):
             thing = told[index if index < len(told) else 0] if told else None
             usual = kind.size if thing is None else wishes.asked[thing].size
-            d, w, h = (round(max(0.01, value * (scale if kind.on_floor and not mesh else 1.0)), 3) for value in usual)
+            scales = [scale if kind.on_floor and not mesh else 1.0] * 3
+            scales[2] = 1.0 if kind.role in LEVEL else scales[2]  # worktops meet at one height
+            d, w, h = (round(max(0.01, value * by), 3) for value, by in zip(usual, scales, strict=True))
             for measure in thing.sizes if thing is not None else ():
                 d, w, h = measure.on((d, w, h))
             size = (d, w, min(h, round(found.height - SPARE, 3)))

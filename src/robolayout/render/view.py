@@ -21,6 +21,7 @@ from PIL import Image, ImageDraw
 from robolayout._color import linear
 from robolayout._errors import InputError, UnknownNameError, among
 from robolayout.assets import parts
+from robolayout.constraints import hangs
 from robolayout.render._drawing import font, is_latin
 from robolayout.render._mesh import (
     CEILING,
@@ -152,12 +153,12 @@ class Studio:
     def _keep(self, camera: Camera, inside: bool) -> NDArray[np.bool_]:
         """Return which parts are drawn."""
         hidden = set[str]() if inside else hidden_parts(self.scene, self.layout, camera)
-        unseen = [FLOOR_STRIP if inside else CEILING]
-        if camera.axes[2][2] < -VIEW.steep:
-            hidden |= {asset.name for asset in self.scene.assets if asset.on_ceiling}
-        else:
-            unseen.append(GHOST)
-        return np.array([n not in hidden and not n.startswith(tuple(unseen)) for n in self._mesh.names], dtype=np.bool_)
+        unseen = FLOOR_STRIP if inside else CEILING
+        steep = camera.axes[2][2] < -VIEW.steep
+        above = (one for one in self.scene.assets if one.on_ceiling and not inside)
+        ghosts = {one.name for one in above if steep or one.size[2] < VIEW.flush}
+        hidden |= ghosts | {f"{GHOST}{one.name}" for one in self.scene.assets if one.name not in ghosts}
+        return np.array([n not in hidden and not n.startswith(unseen) for n in self._mesh.names], dtype=np.bool_)
 
     def _blockers(self) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
         """Return which triangles take the sky's light away (not: ceiling, strips, things on walls), and the sun's.
@@ -308,7 +309,7 @@ def hidden_parts(scene: Scene, layout: Layout, camera: Camera) -> set[str]:
     names |= {f"window-{k}" for k, window in enumerate(room.windows) if window.wall in cut}
     names |= {f"{FLOOR_STRIP}-{wall.index}" for wall in room.walls if wall.index not in cut}
     for asset in scene.assets:
-        if asset.on_wall and asset.name in layout:
+        if asset.on_wall and asset.name in layout and hangs(asset, scene, layout):
             pose = layout[asset.name]
             nearest = min(room.walls, key=lambda wall: wall.distance((pose.x, pose.y)))
             if nearest.index in cut and nearest.distance((pose.x, pose.y)) < asset.size[0] / 2 + VIEW.on_wall:

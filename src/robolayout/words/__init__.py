@@ -13,6 +13,7 @@ from robolayout.words._function_words import WATCHING as WATCHING
 from robolayout.words._lexicon import Lexicon as Lexicon
 from robolayout.words._lexicon import dressing as dressing
 from robolayout.words._lexicon import grammar as grammar
+from robolayout.words._rows import usual_rows as usual_rows
 from robolayout.words._said import Link as Link
 from robolayout.words._said import Mention as Mention
 from robolayout.words._said import NamedThing as NamedThing

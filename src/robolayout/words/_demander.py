@@ -51,6 +51,7 @@ class Demander(InOrder):
         self.mirrors = {a: b for how, a, b in twos if how == "front" and self._into_a_mirror(a, b)}
         self.huddled = {name for link, it in asked if link.relation == "huddle" for name in it.subjects}
         self.put = {a for _, a, _ in twos}  # what stands at another thing
+        self.borne = {a: b for how, a, b in twos if how in ("on", "in")}
         self.placed = self.put.union(a for _, it in asked if it.place is not None for a in it.subjects)
         self.below = {a: b for how, a, b in twos if how == "above" and self._is(a, small.WATCHED)}
         self.across = {frozenset((a, b)) for how, a, b in twos if how == "opposite"}
@@ -428,8 +429,12 @@ class Demander(InOrder):
                 stated("near", AssetRef(a), end, ways_of.ACROSS if far else self._within(a, end)) for end in (one, two)
             )
             yield Demand((near,), BetweenTwo(AssetRef(a), one, two))
+            if self._is(a, small.PARTING) and self._asset(a).on_floor:  # "a curtain between the beds"
+                yield single(*(stated("point_towards", AssetRef(a), one, angle) for angle in (0.0, 180.0)))
             beds = all(isinstance(end, AssetRef) and self._is(end.name, small.SLEPT_ON) for end in (one, two))
-            if beds and self._is(a, ("night stand",)) and not self.parted & {*it.others}:  # by their heads
+            headed = beds and self._is(a, ("night stand",)) and not self.parted & {*it.others}  # by their heads
+            walled = category_of(self._asset(a)).built_in and a not in self.borne  # "the stove between sink and fridge"
+            if headed or (walled and not self._asset(a).on_object):
                 yield single(stated("against_wall", AssetRef(a)))
 
     def _middle_each(self, a: str, b: str) -> Demand:

@@ -32,9 +32,10 @@ def halves_meant(room: Room, place: Place) -> Iterator[tuple[PointRef, ...]]:
 
 
 def half_aside(room: Room, wall: Wall, side: str) -> tuple[PointRef, ...]:
-    """Return the "left" or the "right" half of the room of who looks at a wall."""
-    (nx, ny), way = wall.normal, 1.0 if side == "left" else -1.0
-    return rectangle(*_halves(room)[_towards((way * ny, -way * nx))])
+    """Return the "left" or the "right" half of the room of who looks at a wall, or what is at their "back"."""
+    nx, ny = wall.normal
+    ways = {"left": (ny, -nx), "right": (-ny, nx), "back": (nx, ny)}
+    return rectangle(*_halves(room)[_towards(ways[side])])
 
 
 def half_at(room: Room, wall: Wall) -> tuple[PointRef, ...]:

@@ -134,6 +134,8 @@ class Holding(Spaces):
         apart = "comma" in [c.kind for c in self.chunks[max(self.at - 3, 0) : self.at - 1]]  # ", a" or ", and a"
         if apart and [c.kind for c in rest[:2]] == ["rel", "part"] and rest[1].value in small.OPENINGS_AND_CORNERS:
             return False  # "a cabinet with a sink, a scale for dogs by the door"
+        if joined and [c.kind for c in rest[:2]] == ["rel", "thing"] and rest[0].value in ("opposite", "facing"):
+            return rest[1].noun == holder.thing.noun  # "a desk with a chair, a TV opposite the bed"
         closes = self._ahead().kind in ("comma", "stop", "") and mention.thing.noun.said in small.WORKED_AT
         goes_with = tops and (closes or not joined) and is_accessory(mention)
         had = joined and (self.said.last.relation, self.said.last.objects) == ("with", (holder,))

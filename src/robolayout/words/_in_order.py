@@ -26,6 +26,9 @@ class InOrder(AtSides):
     huddled: Set[str]
     """What is asked to stand together."""
 
+    borne: Mapping[str, str]
+    """On what things are asked to be."""
+
     tucked: Set[str]
     """What has a table to sit at between it and others."""
 
@@ -70,6 +73,12 @@ class InOrder(AtSides):
         for before, a in pairwise(it.subjects):
             if self._asset(a).on_floor and self._asset(before).on_floor:
                 yield by_ways(((("next_to", it.sided or "beside", ways_of.BACK), ("align_with",)),), a, before)
+            elif it.sided and self._asset(a).on_object and self._asset(before).on_object:
+                yield by_ways((((f"{it.sided}_of", 0.0, ways_of.NEAR), ("align_with",)),), a, before)
+        tops = {self.borne.get(a, "") for a in it.subjects}
+        if it.sided and len(tops) == 1 and all(tops):  # "on the desk, from left to right: ..."
+            ends = [self._left_half_each, self._right_half_each][:: 1 if it.sided == "left" else -1]
+            yield from (end(it.subjects[at], *tops) for end, at in zip(ends, (0, -1), strict=True))
 
     def _even_gap(self, names: Sequence[str]) -> float:
         """Return how many metres lie between things that are spread over the longest stretch of their wall without a door or window."""

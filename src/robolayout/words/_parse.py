@@ -361,7 +361,8 @@ class Parser(Relating):
         for led in (self.also, self.fronted) if self.also is not None else (self.fronted,):
             self._link(led[0], [mention], led[1])
         self.group = self.acted = [mention]
-        self.verb = self.verb and self._ahead().value != "holds"
+        inverted = self._ahead(-2).kind == "verb" and bool(self.subject)  # "next to it stands a plant by the window"
+        self.verb = self.verb and not inverted and self._ahead().value != "holds"
         # "a sideboard, on which a vase stands between two candlesticks"
         rest = [*dropwhile(lambda c: c.kind in small.OF_A_NOUN, self.chunks[self.at :]), NOTHING]
         self.subject = self.group if rest[0].value in small.FINITE else self.subject

@@ -259,6 +259,10 @@ class AtPlaces:
         if "front" in place.words and boards and not self._only_wall(a):  # where all look, not the wall of the door
             aside = [word for word in ("left", "right") if word in place.words]
             yield from self._ways_at_the_front(AssetRef(a), boards, aside)
+        elif boards[:1] and place.words in (("back",), ("rear",)) and not self._only_wall(a):
+            for wall in self.room.walls:  # behind those who look there
+                at = stated(self._held(boards[0], on=True), AssetRef(boards[0]), WallRef(wall.index))
+                yield (at, stated("zone", AssetRef(a), half_aside(self.room, wall, "back")))
         elif self._only_wall(a) and len(place.words) == 1 and place.words[0] in grammar().walls:
             yield from self._ways_at_a_wall(a, replace(place, name="wall"), on=True)  # "a pegboard at the back"
         else:

@@ -334,6 +334,8 @@ class Relating(Holding):
             told = chunk.value in small.REVERSED and item.det != "the"  # "each surrounded by six chairs"
             if every and (item.det == "a" or told or "own" in thing.adjectives) and thing.times == 1:
                 thing.times = subjects[0].thing.count
+            if subjects[0].thing.times > 1 == thing.times and item.det == "a" and chunk.value in ("front", "next"):
+                thing.times = subjects[0].thing.times  # "each with a chair in front of a mirror"
             bare = thing.head == "mirror" and thing.number is None and thing.plural
             if bare and not item.det and chunk.value in ("facing", "front") and subjects[0].several:
                 thing.number = subjects[0].count

@@ -40,6 +40,11 @@ End = AssetRef | PointRef
 """What a thing can stand between."""
 
 
+def usual_rows(count: int) -> int:
+    """Return in how many rows so many things look somewhere, if nobody says."""
+    return round(math.sqrt(count / WIDER))
+
+
 def alike(scene: Scene, names: Sequence[str]) -> bool:
     """Return whether several things of one size stand on the floor."""
     things = [scene.by_name[name] for name in names]
@@ -111,9 +116,7 @@ class ToldRows:
         facing = {name for link, named, _ in links if link.relation == "facing" for name in named}
         # what stands in rows of which no number is said and looks somewhere: in about as many rows as are usual
         free = (named for named, count in counted if count is None and len(named) > 3)
-        self.uncounted = {
-            name: round(math.sqrt(len(named) / WIDER)) for named in free for name in named if name in facing
-        }
+        self.uncounted = {name: usual_rows(len(named)) for named in free for name in named if name in facing}
         self.count = {name: count for named, count in counted for name in named} | self.uncounted
         self.abreast = {name: math.ceil(len(named) / (self.count[name] or 1)) for _, named, _ in told for name in named}
         formed = ((link.relation, named) for link, named, _ in links if link.relation in small.SHAPES)

@@ -41,6 +41,10 @@ def taste(site: Site, batch: Places, weights: Mapping[str, float]) -> Cost:
         if other in site.spots:
             turn = batch.poses[:, 2] - site.spots[other].member.yaw
             cost += weight * (np.abs(np.sin(turn)) + OPPOSITE * (1.0 - np.cos(turn)) / 2.0)
+    for point, weight in site.wants[name].points:
+        dx, dy, turn = point.x - batch.poses[:, 0], point.y - batch.poses[:, 1], batch.poses[:, 2]
+        away = np.maximum(np.hypot(dx, dy), 1e-6)
+        cost += weight * (1.0 - (dx * np.cos(turn) + dy * np.sin(turn)) / away)
     return cost + _along_walls(site, batch, weights) if batch.mode in ("wall", "corner") else cost
 
 

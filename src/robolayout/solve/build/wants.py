@@ -14,7 +14,7 @@ from typing import TypeVar
 from robolayout.assets import Category, category_of, sweeps_of
 from robolayout.assets.beneath import places_beneath
 from robolayout.assets.obstacles import use_sides
-from robolayout.constraints import AssetRef, Relation
+from robolayout.constraints import AssetRef, PointRef, Relation
 from robolayout.constraints.above import Above
 from robolayout.constraints.against_wall import AgainstWall
 from robolayout.constraints.align_with import AlignWith
@@ -84,6 +84,7 @@ class Want:
     near: tuple[tuple[tuple[str, ...], float], ...] = ()
     # what it is wished to be straight to without standing at it, with weights
     straight: tuple[tuple[str, float], ...] = ()
+    points: tuple[tuple[PointRef, float], ...] = ()  # where it is wished to look, with weights
     # metres kept free on some sides; none: as its kind is used
     clear: Mapping[str, float] = field(default_factory=dict[str, float])
     face: Facing | None = None  # what it has in front of it
@@ -275,6 +276,7 @@ class _Gathered:
             walls={one.wall.index: w for kind in (AgainstWall, MountedOn) for one, w in self._wished(kind) if one.wall},
             numbered=(*self._wished(Corner), *self._wished(AtWindow)),
             near=tuple((names, w) for one, w in self._wished(Grouped) if (names := one.asset_names()[1:])),
+            points=tuple((one.b, w) for one, w in self._wished(PointTowards) if isinstance(one.b, PointRef)),
             clear={one.side: one.depth for one, _ in self._all(KeepClear)},
             face=face,
             at=tuple(self._at()),
