@@ -36,7 +36,10 @@ def program(text: str) -> str:
         ),
         (
             "a laundry room with a washer and a dryer side by side",
-            ('wish.next_to(clothes_dryer[0], washing_machine[0], "beside"',),
+            (
+                "solver.next_to(washing_machine[0], clothes_dryer[0], max_gap=0.5)",
+                "align_with(washing_machine[0], clothes_dryer[0])",
+            ),
         ),
         (
             "a dining room with two benches facing each other across a long table",

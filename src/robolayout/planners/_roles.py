@@ -135,13 +135,19 @@ def _anchor(item: Cast, cast: Mapping[str, Cast], handy: Set[str]) -> tuple[str,
                 if (not join.on_top or (name in handy and "bare" not in other.asset.metadata))
                 and (other.role.name == wanted or (wanted == "*" and other.role.top))
                 and taken[name] < join.most
-                and (join.slot != "around" or taken[name] < most_seats(other.asset, item.asset))
+                and (join.slot != "around" or taken[name] < _seats(other.asset, item.asset))
                 and item.name not in chain(name, cast)
                 and _room_for(item.asset, other, join, cast)
             ]
             if free:
                 return (min(free)[3], join)
     return None
+
+
+def _seats(table: Asset, seat: Asset) -> int:
+    """Return how many seats go around a table: as many as its words promise ("for two"), as far as there is room."""
+    told = table.metadata.get("seats")
+    return min(most_seats(table, seat), told if isinstance(told, int) else 99)
 
 
 def elsewhere(name: str, cast: Mapping[str, Cast], barred: Set[str]) -> Cast:

@@ -330,6 +330,8 @@ def _assets(
             size = (d, w, min(h, round(found.height - SPARE, 3)))
             look = ", ".join((style, *(thing.look if thing is not None else ())))
             entry = {**mesh, **asset_entry(kind, size), "look": look} | ({"bare": True} if thing in bare else {})
+            if thing is not None and thing.people:
+                entry |= {"seats": thing.people}
             if kind.on_ceiling and thing in hung:  # it stands on nothing
                 entry |= {"onCeiling": True, "onObject": False, "onWall": False, "onFloor": False}
             elif thing in held:

@@ -57,8 +57,8 @@ class Counting(Spoken):
         each = [item for item in objects if item.det in one_each]
         for mention in subjects if each and each[0].det != "each" else ():
             mention.thing.number = 1  # "lamps on both nightstands"
-        for item in each:
-            count = self._gaps(item) if chunk.value == "amid" else self._number_of(item)
+        for item in each[:1]:  # "on every table", of which there are square and round ones
+            count = sum(self._gaps(one) if chunk.value == "amid" else self._number_of(one) for one in each)
             subjects = [mention.widened(count) for mention in subjects]
             for mention in subjects:
                 owned = isinstance(item, Mention) and item.thing is mention.thing

@@ -217,6 +217,8 @@ class Demander(InOrder):
         if self._is(a, small.SEATS) and self._is(b, ("desk", "counter", "island")):
             across = (b in self.manned and ways_of.visits(asset.category)) or any(a == two for _, two in self.opposed)
             return by_ways(ways_of.ACROSS_A_DESK[:1] if across else ways_of.AT_A_DESK, a, b)
+        if self._is(a, ("chair",)) and self._is(b, ("table",)) and not self._is(a, ("armchair",)):
+            return self._seat_around(a, b)
         if beside or asset.on_wall:
             return single(stated("near", AssetRef(a), AssetRef(b), ways_of.BESIDE if beside else ways_of.NEAR))
         return None

@@ -103,9 +103,12 @@ class InOrder(AtSides):
             relation = "ell"  # two sofas at a right angle belong together
         elif relation == "abreast" and self.told.flanked & {*it.subjects}:
             relation = "abreast apart"
-        elif relation == "abreast" and not same:
+        elif relation == "abreast" and not all(
+            self._asset(a).on_floor and not self._asset(a).is_flat for a in it.subjects
+        ):
             relation = "together"
-        two = (it.subjects, it.subjects[::-1]) if relation == "together" and len(it.subjects) == 2 else ()
+        unlike = relation == "together" or (relation == "abreast" and not same)
+        two = (it.subjects, it.subjects[::-1]) if unlike and len(it.subjects) == 2 else ()
         if told := [(a, b) for a, b in two if b in self.at_side]:  # a washer by a dryer that has a sink to its right
             free = ("next_to", small.OTHER_SIDE[self.at_side[told[0][1]]], ways_of.AT_TABLE)
             yield by_ways(((free,), *ways_of.IN_A_CHAIN[relation]), *told[0])

@@ -48,6 +48,10 @@ def settle_kinds(parsed: Parsed) -> None:
 
 def _settle_front_and_back(parsed: Parsed) -> None:
     """Take the wall of a board that is told by the compass for the front of the room: "a blackboard on the north wall"."""
+    watched = [thing for thing in parsed.things if thing.noun.kind in small.BOARDS]
+    for i, link in enumerate(parsed.links):  # "seats facing the front, a screen on the front wall"
+        front = link.relation == "facing" and (side := place_in(link.objects, "side")) and side.words == ("front",)
+        parsed.links[i] = replace(link, objects=(Mention(watched[0]),)) if front and watched else link
     boards = [k for k in parsed.links if any(m.thing.noun.kind in small.BOARDS for m in k.subjects)]
     walls = {wall.words for k in boards if (wall := place_in(k.objects[:1], "wall")) is not None}
     (front,) = walls.pop() if len(walls) == 1 and len(next(iter(walls))) == 1 else ("",)
@@ -100,6 +104,8 @@ def _settle_by_company(parsed: Parsed, heads: Set[str]) -> None:
     for thing in parsed.things:
         if thing.noun.said == "bench" and played and thing.count == 1:
             thing.noun = replace(thing.noun, kind="stool", others=())  # a piano's bench
+        elif thing.noun.said == "cushion" and not heads & {*small.LOUNGE, *small.SLEPT_ON, "chair", "bench", "seat"}:
+            take(thing, "floor cushion")  # "a reading corner with a rug and cushions"
         elif thing.noun.words == "stool" and bar:
             take(thing, "bar stool")
         elif thing.noun.kind == "waiting bench" and thing.noun.said.endswith("chair") and thing.count > 1:

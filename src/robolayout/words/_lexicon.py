@@ -66,7 +66,8 @@ class Grammar:
             self.functions,
             self.parts,
         )
-        models = (word for model in self.models for word in model.split())
+        heads = {model.split()[-1] for model in self.models}
+        models = (word for model in self.models for word in model.split() if word not in heads)
         return frozenset(word for words in (*lists, models, BEFORE_NOUNS) for word in words)
 
 

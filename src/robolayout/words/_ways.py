@@ -193,7 +193,7 @@ FLUSH: Ways = ((("next_to", "beside", TOUCHING), ("align_with",)),)
 
 IN_A_CHAIN: Mapping[str, Ways] = {
     "together": ((("near", AT_TABLE),),),
-    "abreast": ABREAST,  # alike things on the floor, others are together
+    "abreast": ABREAST,  # on the floor, others are together
     "abreast apart": ((("near", NEAR),),),  # something stands between them
     "parallel": _PARALLEL,
     "crossed": _BY_RIGHT_ANGLE,
