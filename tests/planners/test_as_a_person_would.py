@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 import pytest
 
 import robolayout as rl
 from robolayout.run.result import Result
-from robolayout.scene import Asset
+from robolayout.scene import Asset, Layout
+from robolayout.words import read_words
 
 
 def made(text: str) -> Result:
@@ -108,3 +110,86 @@ def test_a_stove_between_sink_and_fridge_stands_in_line_with_them(seed: int) -> 
     result = rl.generate("A kitchen with the stove between the sink and the fridge", dress="none", seed=seed)
     yaws = {round(result.layout[name].yaw, 2) for name in ("stove-0", "kitchen_sink-0", "fridge-0")}
     assert len(yaws) == 1
+
+
+def test_the_other_half_is_of_the_room() -> None:
+    """The dining table was asked onto one of the two armchairs before."""
+    _, said = rl.scene_from_sentence("A room. A sofa in the left half; in the other half a dining table for six.")
+    result = made(
+        "A living room of 7 x 5 m. A sofa and two armchairs in the left half; in the other half a dining table."
+    )
+    (table,) = of(result, "dining table")
+    assert said.wished["dining table"] == 1
+    assert result.layout[table.name].x > 3.4
+    assert result.layout[table.name].z == pytest.approx(table.size[2] / 2, abs=0.01)
+
+
+def test_every_table_of_two_kinds_has_what_is_asked_onto_every_table() -> None:
+    text = "A restaurant with three square tables for two and two round tables for four. Put a candle on every table."
+    scene, said = rl.scene_from_sentence(text)
+    seats = {asset.category: asset.metadata["seats"] for asset in scene.assets if asset.category.endswith("table")}
+    assert said.wished["candle"] == 5
+    assert seats == {"dining table": 2, "round table": 4}
+
+
+def test_tables_have_the_seats_that_their_words_promise() -> None:
+    """Round tables for four had three chairs, square ones for two had three."""
+    result = made("A restaurant, 9 x 8 m, with three square tables for two and two round tables for four")
+    tables = [(asset, result.layout[asset.name]) for asset in result.scene.assets if asset.category.endswith("table")]
+    chairs = [result.layout[chair.name] for chair in of(result, "chair")]
+    near = [min(tables, key=lambda one: math.dist(one[1].at, chair.at))[0].name for chair in chairs]
+    assert [near.count(table.name) for table, _ in tables] == [table.metadata["seats"] for table, _ in tables]
+
+
+def test_who_faces_the_front_looks_at_the_screen_there() -> None:
+    """A whiteboard was added on another wall, and all seats faced that."""
+    result = made("A lecture hall with twenty seats in four rows of five facing the front, a screen on the front wall")
+    (screen,) = of(result, "screen")
+    seat, at = result.layout["theater_seat-0"], result.layout[screen.name]
+    assert not of(result, "whiteboard")
+    assert math.cos(seat.yaw - at.yaw) == pytest.approx(-1.0, abs=0.02)
+
+
+def test_chairs_of_a_table_look_at_it_or_are_reported() -> None:
+    """ "A table with ten chairs" was met by chairs with their backs to it."""
+    result = made("A meeting room with a long table with ten chairs")
+    (row,) = [row for row in result.report.asked if row.words == "table with ten chairs"]
+    table = result.layout["conference_table-0"]
+    backs = [n for n in row.things if "chair" in n and result.layout[n].seen(table.at)[0] < 0]
+    assert (row.verdict, backs) == ("met", [])
+    poses = dict(result.layout)
+    poses["office_chair-0"] = replace(poses["office_chair-0"], yaw=poses["office_chair-0"].yaw + math.pi)
+    again = read_words(result.scene).judged(result.scene, Layout(poses))
+    assert next(one for one in again if one.words == row.words).verdict == "unmet"
+
+
+def test_a_washer_and_a_dryer_side_by_side_look_one_way() -> None:
+    result = made("A utility room with a washing machine and a dryer side by side and an ironing board")
+    one, other = (result.layout[name].yaw for name in ("washing_machine-0", "clothes_dryer-0"))
+    assert math.cos(one - other) == pytest.approx(1.0, abs=0.01)
+
+
+def test_a_galley_kitchen_holds_what_is_listed_on_its_two_sides() -> None:
+    """It was refused: two worktops were added to what stands on both sides."""
+    result = made(
+        "A galley kitchen 2.4 m wide and 4 m long: stove, sink and dishwasher on one side, fridge and tall pantry on the other."
+    )
+    pairs = [("stove-0", "kitchen_sink-0", 1.0), ("stove-0", "dishwasher-0", 1.0), ("stove-0", "fridge-0", -1.0)]
+    for one, other, way in pairs:
+        assert math.cos(result.layout[one].yaw - result.layout[other].yaw) == pytest.approx(way, abs=0.01)
+
+
+@pytest.mark.parametrize(
+    "text", ["A robot lab with two robot arms on tables", "A lecture hall with a table and a screen"]
+)
+def test_nobody_sits_at_the_tables_of_a_lab(text: str) -> None:
+    scene, _ = rl.scene_from_sentence(text)
+    assert not [asset.name for asset in scene.assets if asset.category == "chair"]
+
+
+def test_cushions_of_a_reading_corner_lie_on_the_floor() -> None:
+    """They lay on the tables."""
+    scene, _ = rl.scene_from_sentence(
+        "A kindergarten classroom with a reading corner with a rug, cushions and a low shelf"
+    )
+    assert {asset.like or asset.category for asset in scene.assets if "cushion" in asset.category} == {"floor cushion"}

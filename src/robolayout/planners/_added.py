@@ -32,6 +32,8 @@ LOFTY = 1.8  # metres of height of a bed from which on nothing stands beside it
 BROAD = 0.6  # metres of width from which on what flanks a thing takes the place of what usually stands there
 ON_A_RUG = 4  # seats of one kind that may stand around one rug
 
+STOOD_AT = ("garage", "laboratory", "lecture hall", "workshop")
+"""Rooms at whose tables nobody sits, unless that is said."""
 SEATS, ALONE_ON_A_RUG = ({*DATA["nouns"][name]} for name in ("instead_of_chairs", "alone_on_a_rug"))
 
 
@@ -252,7 +254,8 @@ class Added:
         there |= self.wishes.general - {self.wishes.head(other) for other in others}
         # "a table for six and two chairs by the fire": it has its own
         promised = self.wishes.seats and "chair" in self.asked
-        there |= {"chair"} if head(name) == "table" and (promised or no_chairs(self.wished)) else set()
+        stood_at = self.room.name in STOOD_AT or promised or no_chairs(self.wished)
+        there |= {"chair"} if head(name) == "table" and stood_at else set()
         there |= SEATS if self._seated(name) else set()  # a stool, beside the chair of a vanity
         if self.room.tables and head(name) == "desk" and "chair" not in map(head, self.wishes.things):
             there.discard("chair")  # those that are there are of the tables
