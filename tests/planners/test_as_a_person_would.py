@@ -163,6 +163,24 @@ def test_chairs_of_a_table_look_at_it_or_are_reported() -> None:
     assert next(one for one in again if one.words == row.words).verdict == "unmet"
 
 
+def test_everyone_gets_what_everyone_needs() -> None:
+    """One desk with six keyboards and sixteen bookshelves were there, and a wheelchair as a thing, but nobody in it."""
+    text = (
+        "Office for 6 people, 8 x 6 m. Everyone needs a desk, a chair and a monitor. One colleague is in a wheelchair."
+    )
+    scene, said = rl.scene_from_sentence(text)
+    assert (said.wished["desk"], said.wished["monitor"], said.agent) == (6, 6, "wheelchair")
+    assert sum(asset.category == "bookshelf" for asset in scene.assets) < 5
+
+
+def test_a_car_stands_as_it_came_in() -> None:
+    """It stood along the wall of the gate."""
+    result = made("A two-car garage with one car parked in it, a workbench along the back wall and a bicycle.")
+    pose, wall = result.layout["car-0"], result.scene.room.walls[result.scene.room.doors[0].wall]
+    nx, ny = wall.normal
+    assert abs(nx * math.cos(pose.yaw) + ny * math.sin(pose.yaw)) == pytest.approx(1.0, abs=0.01)
+
+
 def test_a_washer_and_a_dryer_side_by_side_look_one_way() -> None:
     result = made("A utility room with a washing machine and a dryer side by side and an ironing board")
     one, other = (result.layout[name].yaw for name in ("washing_machine-0", "clothes_dryer-0"))

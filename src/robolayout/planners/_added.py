@@ -343,10 +343,11 @@ class Added:
                 return
 
     def _zones(self) -> None:
-        """Add one group after the other to a large room."""
+        """Add one group after the other to a large room; where some are said, the others are not as many more."""
         times = self.wishes.times_usual
         zones = [zone for zone in self.room.zones if not any(self._named(name) for name in zone)]
-        for turn in range(round(2 * times) if zones and times >= LARGER else 0):
+        turns = math.ceil(round(2 * times) * len(zones) / len(self.room.zones)) if zones and times >= LARGER else 0
+        for turn in range(turns):
             zone = zones[turn % len(zones)]
             self.found = both(self.found, zone) if self._fits(zone, self.fill) else self.found
 
