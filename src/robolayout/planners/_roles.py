@@ -18,9 +18,7 @@ TOP_HEIGHT = 1.45  # metres above which nothing is put on a top: out of sight an
 BEYOND = 0.03  # metres beyond its own edge that an arm must get to a thing on a top
 TOP_SHARE = 0.55  # share of a top that may be covered
 FILLED = 0.4  # metres of height from which on a top may be filled by a single thing, as that of a printer stand
-STANDS = (
-    0.9  # metres of height from which on what may stand on the floor is put on no top: an aquarium with its cabinet
-)
+STANDS = 0.9  # metres of height from which on what may stand on the floor is put on no top
 NARROWEST = 0.6  # metres that people need to get to a side of a thing
 
 
