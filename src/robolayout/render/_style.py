@@ -154,7 +154,7 @@ class ViewStyle:
     close_polars: tuple[float, float] = (math.radians(58), math.radians(40))
     ghostly: float = 0.35  # opacity of a ghost
     steep: float = 0.9  # sine of the angle looking down above which what hangs from the ceiling is a ghost ...
-    flush: float = 0.2  # ... and metres of height up to which it is one in every view from outside
+    flush: float = 0.3  # ... and metres of height up to which it is one in every view from outside
     largest: int = 8192  # most pixels along a side of a picture
     columns: int = 10  # most columns of a sheet of things
     cut_color: tuple[float, float, float] = (0.42, 0.41, 0.40)  # sRGB colour of a cut wall
