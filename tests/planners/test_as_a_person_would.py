@@ -4,18 +4,17 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
+from functools import partial
 
 import pytest
+from said_rooms import made as generated
 
 import robolayout as rl
 from robolayout.run.result import Result
 from robolayout.scene import Asset, Layout
 from robolayout.words import read_words
 
-
-def made(text: str) -> Result:
-    """Return a room of a sentence without what only dresses it."""
-    return rl.generate(text, dress="none")
+made = partial(generated, dress="none")  # without what only dresses a room
 
 
 def of(result: Result, category: str) -> list[Asset]:
